@@ -241,8 +241,7 @@ void vtkVisibilityAlgorithm::SceneReader::AssumeShared(
   if (!assumed.isThere && ranks.AnyOf(assumes))
   {
     assumed.importance = limpid::StartingImportance(limpid::SharedArray(scalars, shared.image,
-      whole.data(), vtkMultiProcessController::GetGlobalController(),
-      &shared.piece->owned[std::size_t(ranks.Rank())]));
+      whole.data(), vtkMultiProcessController::GetGlobalController(), &shared.piece->Owned()));
   }
 }
 

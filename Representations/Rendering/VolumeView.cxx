@@ -12,7 +12,6 @@
 #include "vtkVolume.h"
 
 #include "backend/Interruption.h"
-#include "math/Require.h"
 
 #include <algorithm>
 #include <string>
@@ -115,9 +114,6 @@ void VolumeView::UpdateRenderer(const FrameSettings& frame, const VolumeData& da
   {
     this->ScalarsVersion = 0;
     this->ImportanceVersion = 0; // new scalars invalidate it
-    LIMPID_REQUIRE(!frame.IsOfSeveral() || !this->Caster.DrawsOnDevice(),
-      "Ranks share the picture, and a GPU draws it (distributed rendering is supported on CPUs "
-      "only). Use the backend Auto or CPU.");
     this->Caster.SetScalars(data.Drawn(), data.Scalars(), data.Shares());
     this->ScalarsVersion = data.ScalarsVersion();
   }

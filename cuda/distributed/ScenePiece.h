@@ -46,6 +46,9 @@ struct ScenePiece
   /// boxes overlap such that owned parts cannot be boxes.
   ScenePiece(std::shared_ptr<const Communicator> among, const Grid& grid, const NodeBox& own);
 
+  /// The nodes that this rank owns.
+  const NodeBox& Owned() const { return this->owned[std::size_t(this->ranks->Rank())]; }
+
   /// Whether this process works alone and has all nodes of the grid.
   bool IsWhole() const { return this->ranks->IsAlone() && this->nodes == this->all; }
 

@@ -159,8 +159,8 @@ void FindTransmittanceOnRanks(const Grid& grid, const ScenePiece& piece, const R
   }
   const SmallPages small;
   const FieldView given = FieldView::Part(const_cast<float*>(extinction), piece.nodes);
-  const Occupancy occupancy = OccupancyOnRanks(
-    *piece.ranks, grid, piece.owned[std::size_t(piece.ranks->Rank())], given, given, /*skip=*/true);
+  const Occupancy occupancy =
+    OccupancyOnRanks(*piece.ranks, grid, piece.Owned(), given, given, /*skip=*/true);
   TransmittanceSweep<HostDevice> sweep(
     HostDevice::Shared(), grid, occupancy, source, rayDensity, *piece.ranks);
   SweepSubdomains(sweep.Frusta(), piece, nullptr);

@@ -52,12 +52,8 @@ public:
     return *this;
   }
 
-  /// Calls sum(sums, count) for all sums, which adds those of other processes.
-  template <class Sum>
-  void SumBy(const Sum& sum)
-  {
-    sum(this->Sums.data(), this->Sums.size());
-  }
+  using All = std::array<ExactSum, 2 + mostReferences>; ///< of squares, and last of changes
+  All& Exact() { return this->Sums; }
 
   Differences Values() const
   {
@@ -71,7 +67,7 @@ public:
   }
 
 private:
-  std::array<ExactSum, 2 + mostReferences> Sums; ///< of squares, and last of changes
+  All Sums;
 };
 }
 

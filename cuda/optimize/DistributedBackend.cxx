@@ -60,7 +60,7 @@ FieldView PieceOf(const ScenePiece& piece, const AxisPermutation& order, const f
 std::shared_ptr<const Occupancy> FindOccupancy(const ScenePiece& piece, const Grid& grid,
   const AxisPermutation& order, const FieldView& extinction, const FieldView& importance, bool skip)
 {
-  const NodeBox box = InOrder(piece.owned[std::size_t(piece.ranks->Rank())], order);
+  const NodeBox box = InOrder(piece.Owned(), order);
   return std::make_shared<const Occupancy>(
     OccupancyOnRanks(*piece.ranks, order.Of(grid), box, extinction, importance, skip));
 }

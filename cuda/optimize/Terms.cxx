@@ -240,8 +240,7 @@ void Terms<AnyDevice>::TakeSwept(
   this->Shared.Share(next, swept.Number());
   if constexpr (AnyDevice::readsHostMemory)
   {
-    moved.SumBy(
-      [this](ExactSum* sums, std::size_t count) { this->Given->SumOverAll(sums, count); });
+    this->Given->SumOverAll(moved.Exact().data(), moved.Exact().size());
     *this->Moved() = moved.Values();
   }
   else

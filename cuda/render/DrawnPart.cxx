@@ -5,12 +5,15 @@
 
 #include "distributed/FieldResampling.h"
 #include "energy/TransmittanceOnRanks.h"
+#include "math/Require.h"
 
 namespace limpid
 {
-const NodeBox& DrawnPart::Owned() const
+void DrawnPart::RequireOn(bool device) const
 {
-  return this->Shared->owned[std::size_t(this->Shared->ranks->Rank())];
+  LIMPID_REQUIRE(this->IsWhole() || !device,
+    "Ranks share the picture, and a GPU draws it (distributed rendering is supported on CPUs "
+    "only). Use the backend Auto or CPU.");
 }
 
 bool DrawnPart::HasSameNodes(const DrawnPart& other) const

@@ -44,10 +44,13 @@ public:
   }
 
   const Grid& Whole() const { return this->All; }
-  const Grid& Nodes() const { return this->Own; }            ///< grid of the nodes here
-  const NodeBox& Box() const { return this->Shared->nodes; } ///< the nodes here, in the whole
-  const NodeBox& Owned() const;                              ///< in the whole
+  const Grid& Nodes() const { return this->Own; }                ///< grid of the nodes here
+  const NodeBox& Box() const { return this->Shared->nodes; }     ///< the nodes here, in the whole
+  const NodeBox& Owned() const { return this->Shared->Owned(); } ///< in the whole
   const std::shared_ptr<const ScenePiece>& Piece() const { return this->Shared; }
+
+  /// Throws limpid::Error if a device is to draw less than the whole.
+  void RequireOn(bool device) const;
 
   /// Returns whether this process draws alone and has all nodes.
   bool IsWhole() const { return this->Shared->IsWhole(); }

@@ -4,7 +4,6 @@
 #ifndef limpid_render_RenderPasses_h
 #define limpid_render_RenderPasses_h
 
-#include "math/Require.h"
 #include "render/ArrivingLight.h"
 #include "render/Bricks.h"
 #include "render/DrawnPart.h"
@@ -54,7 +53,6 @@ public:
 
   void SetScalars(const DrawnPart& part, const float* scalars, const float* shares) override
   {
-    LIMPID_EXPECT(part.IsWhole() || !this->IsDevice()); // parts are exchanged in host memory
     this->Part = part;
     const Grid& grid = part.Nodes();
     this->Scalars = {};
@@ -313,7 +311,7 @@ private:
     find(ofNodes, nodes.x, ofRows);
     find(ofRows, nodes.y, ofSlices);
     find(ofSlices, nodes.z, largest);
-    if constexpr (AnyDevice::readsHostMemory) // other devices draw the whole
+    if (!this->IsDevice()) // devices draw the whole
     {
       *largest.Data() = this->Part.LargestOf(*largest.Data());
     }

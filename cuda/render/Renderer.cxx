@@ -237,6 +237,7 @@ void Renderer::SetScalars(const DrawnPart& part, const float* scalars, const flo
   LIMPID_REQUIRE(
     scalars != nullptr, "There are no scalars (there is nothing to draw). Give an array.");
   Internals& state = *this->State;
+  part.RequireOn(state.backend->IsDevice());
   ++state.changes;
   state.hasScalars = false; // in case one of the next lines throws
   state.ForgetImportance();

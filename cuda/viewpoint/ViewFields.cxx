@@ -151,7 +151,7 @@ SweptFields Share(const Grid& grid, const ViewedFields& viewed, const IndexBox& 
   {
     owned.push_back({ InCut(box, cut, axes) });
   }
-  const NodeBox own = owned[std::size_t(piece.ranks->Rank())].front();
+  const NodeBox own = InCut(piece.Owned(), cut, axes);
   auto home = std::make_unique<FieldLayout>(piece.nodes, std::move(owned), std::vector<Region>());
   home->wanted.resize(piece.owned.size());
   for (int axis = 0; axis < 3; ++axis)
@@ -175,8 +175,8 @@ Occupancy OccupancyOf(const Grid& grid, const ScenePiece& piece, const ViewedFie
 {
   const auto view = [&piece](const float* field)
   { return FieldView::Part(const_cast<float*>(field), piece.nodes); };
-  return OccupancyOnRanks(*piece.ranks, grid, piece.owned[std::size_t(piece.ranks->Rank())],
-    view(viewed.extinction), view(viewed.importance), true);
+  return OccupancyOnRanks(
+    *piece.ranks, grid, piece.Owned(), view(viewed.extinction), view(viewed.importance), true);
 }
 
 void AddParts(const SweptFields& fields, const Camera& camera, double rayDensity,
