@@ -180,7 +180,7 @@ public:
   ResultArray(std::shared_ptr<AnyDevice> device, Value* result, std::size_t count, const char* what)
     : Result(result)
   {
-    if constexpr (!AnyDevice::readsHostMemory)
+    if constexpr (BorrowedArray<AnyDevice, Value>::isCopy)
     {
       this->Copy = { std::move(device), count, what };
     }
