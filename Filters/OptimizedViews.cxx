@@ -4,6 +4,7 @@
 #include "OptimizedViews.h"
 
 #include "backend/Interruption.h"
+#include "optimize/Solver.h"
 #include "scene/Placement.h"
 
 #include <algorithm>

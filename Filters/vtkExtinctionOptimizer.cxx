@@ -28,6 +28,7 @@
 #include "backend/Interruption.h"
 #include "distributed/Communicator.h"
 #include "math/Require.h"
+#include "optimize/DistributedBackend.h"
 #include "optimize/Solver.h"
 #include "scene/Placement.h"
 #include "scene/ViewSet.h"

@@ -284,7 +284,7 @@ TEST(CarriedChange, MakesTheSameExtinctionOfTheSameBase)
   const float majorant = MajorantOf(scene);
   const CarriedChange change = ChangeFrom(scene, extinction);
 
-  const CarriedExtinction again = AppliedTo(scene.Fields(), majorant, change);
+  const CarriedExtinction again = *AppliedTo(scene.Fields(), majorant, change);
 
   EXPECT_TRUE(again.light.empty());
   for (std::size_t node = 0; node < extinction.size(); ++node)
@@ -310,7 +310,8 @@ TEST(CarriedChange, KeepsWhatIsClearAndWhatIsOpaque)
     value *= 0.25f;
   }
 
-  const std::vector<float> carried = AppliedTo(edited.Fields(), 0.5f * majorant, change).extinction;
+  const std::vector<float> carried =
+    AppliedTo(edited.Fields(), 0.5f * majorant, change)->extinction;
 
   for (std::size_t node = 0; node < carried.size(); ++node)
   {
@@ -334,7 +335,7 @@ TEST(CarriedChange, GoesToFinerAndCoarserGrids)
       CarriedChange change;
       change.grid = from->grid;
       change.ofExtinction.assign(std::size_t(from->grid.NodeCount()), by);
-      const std::vector<float> found = AppliedTo(to->Fields(), majorant, change).extinction;
+      const std::vector<float> found = AppliedTo(to->Fields(), majorant, change)->extinction;
       for (std::size_t node = 0; node < found.size(); ++node)
       {
         const float base = to->extinction[node];

@@ -49,8 +49,7 @@ struct SlicedScene
     RaySource eye;
     eye.origin = { eyeX, 28, 11 };
     this->frusta = PlanSweep(this->grid, this->MakeOccupancy(), eye,
-      { 1, RayPlacement::ForIntegrals, nullptr, Readers::RaysAndVoxels,
-        { { true, false, false } } });
+      { 1, RayPlacement::ForIntegrals, Readers::RaysAndVoxels, { { true, false, false } } });
   }
 
   Occupancy MakeOccupancy() const
@@ -79,11 +78,10 @@ std::vector<std::unique_ptr<FieldSlabs>> CopiesOf(
 {
   const FaceFrustum& frustum = scene.frusta.front();
   const NodeBox all = NodeBox::Of(scene.grid.nodes);
-  const FieldLayout home(all, { { all } }, { { all } });
+  const FieldLayout home(*ThisProcess(), all, { { all } }, { { all } });
   std::vector<std::unique_ptr<FieldSlabs>> copies;
   copies.push_back(FieldSlabs::Local(frustum, bands));
-  copies.push_back(FieldSlabs::Redistributed(
-    frustum, bands, home, &occupancy, std::make_shared<ExchangeBuffers>(), 0));
+  copies.push_back(FieldSlabs::Redistributed(frustum, bands, home, &occupancy, 0));
   return copies;
 }
 

@@ -230,8 +230,8 @@ TEST(LongImages, VisitAllRaysThatMeetTheBoxOrThatVoxelsRead)
       int missing = 0;
       for (const Readers readers : { Readers::Rays, Readers::RaysAndVoxels })
       {
-        for (const PlannedFrustum& frustum : PlanSweep(
-               scene.grid, filled, source, { 1.3, RayPlacement::ForIntegrals, nullptr, readers }))
+        for (const PlannedFrustum& frustum :
+          PlanSweep(scene.grid, filled, source, { 1.3, RayPlacement::ForIntegrals, readers }))
         {
           missing += MissingRays(frustum);
         }

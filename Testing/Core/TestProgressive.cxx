@@ -278,7 +278,7 @@ TEST(Progressive, GoesOnFromWhatAnotherSceneShowed)
 {
   const BoxScene scene = BoxScene::Onion(33);
   Progressive first = MakeProgressive(scene);
-  EXPECT_TRUE(first.Change().Empty());
+  EXPECT_TRUE(first.Change().ofExtinction.empty());
   RefineAll(first);
   const std::vector<float> shown = Copy(first, first.Extinction());
   BoxScene edited = BoxScene::Onion(33);
@@ -317,7 +317,7 @@ TEST(Progressive, DoesNotGoOnFromAnotherBox)
   Progressive second(moved.Fields(), moved.settings);
   second.GoOnFrom(first.Change());
 
-  EXPECT_TRUE(second.Change().Empty());
+  EXPECT_TRUE(second.Change().ofExtinction.empty());
 }
 
 TEST_P(ProgressiveWays, StaysNearWhatItShows)

@@ -53,7 +53,7 @@ inline Index MostNodesHeld(const ProblemInOrder& scene, int ranks)
       const auto raysOf = [&](const RaySource& source)
       {
         return PlanRays(HostDevice::Shared(), problem.grid, scene.occupancy, source,
-          { problem.settings.rayDensity, RayPlacement::ForIntegrals, all.get() });
+          { problem.settings.rayDensity });
       };
       FieldDistribution::Frusta camera = raysOf(problem.Camera());
       FieldDistribution::Frusta light = raysOf(problem.Light());

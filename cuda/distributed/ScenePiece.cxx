@@ -3,7 +3,7 @@
 
 #include "distributed/ScenePiece.h"
 
-#include "distributed/Slab.h"
+#include "distributed/EvenSlabs.h"
 
 #include <algorithm>
 #include <string>

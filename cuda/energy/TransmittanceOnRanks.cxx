@@ -141,11 +141,10 @@ struct NodesOfRanks
 void SweepSubdomains(
   std::vector<FrustumRays<HostDevice>>& frusta, const ScenePiece& piece, const Occupancy* filled)
 {
-  const FieldLayout home(piece.nodes, RegionsOf(piece.owned), RegionsOf(piece.boxes));
-  const auto room = std::make_shared<ExchangeBuffers>();
+  const FieldLayout home(*piece.ranks, piece.nodes, RegionsOf(piece.owned), RegionsOf(piece.boxes));
   for (FrustumRays<HostDevice>& rays : frusta)
   {
-    rays.SweepFieldsOf(home, filled, room);
+    rays.SweepFieldsOf(home, filled);
   }
 }
 
@@ -161,8 +160,7 @@ void FindTransmittanceOnRanks(const Grid& grid, const ScenePiece& piece, const R
   const FieldView given = FieldView::Part(const_cast<float*>(extinction), piece.nodes);
   const Occupancy occupancy =
     OccupancyOnRanks(*piece.ranks, grid, piece.Owned(), given, given, /*skip=*/true);
-  TransmittanceSweep<HostDevice> sweep(
-    HostDevice::Shared(), grid, occupancy, source, rayDensity, *piece.ranks);
+  TransmittanceSweep<HostDevice> sweep(HostDevice::Shared(), grid, occupancy, source, rayDensity);
   SweepSubdomains(sweep.Frusta(), piece, nullptr);
   std::fill(transmittance, transmittance + piece.nodes.Count(), 1.0f); // for nodes that no ray
                                                                        // reaches

@@ -22,12 +22,10 @@ struct ClearNode
 
 template <class AnyDevice>
 TransmittanceSweep<AnyDevice>::TransmittanceSweep(std::shared_ptr<AnyDevice> device,
-  const Grid& grid, const Occupancy& occupancy, const RaySource& source, double rayDensity,
-  const Communicator& ranks)
+  const Grid& grid, const Occupancy& occupancy, const RaySource& source, double rayDensity)
   : Device(std::move(device))
   , Nodes(grid.NodeCount())
-  , Rays(PlanRays(
-      this->Device, grid, occupancy, source, { rayDensity, RayPlacement::ForNodes, &ranks }))
+  , Rays(PlanRays(this->Device, grid, occupancy, source, { rayDensity, RayPlacement::ForNodes }))
 {
 }
 

@@ -33,10 +33,9 @@ class TransmittanceSweep
 {
 public:
   /// `occupancy`: Occupancy(grid, extinction, extinction, true) for an extinction that is filled
-  /// wherever others may be. `ranks`: see PlanSettings.
+  /// wherever others may be.
   TransmittanceSweep(std::shared_ptr<AnyDevice> device, const Grid& grid,
-    const Occupancy& occupancy, const RaySource& source, double rayDensity,
-    const Communicator& ranks = *ThisProcess());
+    const Occupancy& occupancy, const RaySource& source, double rayDensity);
 
   /// `extinction` [1/length] and `transmittance` [0, 1]: one value per node, on the device.
   /// Asynchronous.

@@ -13,12 +13,11 @@ namespace limpid
 {
 template <class AnyDevice>
 VisibilityTerm<AnyDevice>::VisibilityTerm(std::shared_ptr<AnyDevice> device, const Grid& grid,
-  const Occupancy& occupancy, const RaySource& source, double rayDensity, const Communicator& ranks,
-  bool fine)
+  const Occupancy& occupancy, const RaySource& source, double rayDensity, bool fine)
   : Device(std::move(device))
   , Filled(&occupancy)
-  , Rays(PlanRays(
-      this->Device, grid, occupancy, source, { rayDensity, RayPlacement::ForIntegrals, &ranks }))
+  , Rays(
+      PlanRays(this->Device, grid, occupancy, source, { rayDensity, RayPlacement::ForIntegrals }))
   , Fine(fine)
   , Add(this->Device)
 {

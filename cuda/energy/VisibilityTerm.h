@@ -49,11 +49,9 @@ template <class AnyDevice>
 class VisibilityTerm
 {
 public:
-  /// `ranks`: see PlanSettings. `fine`: whether Forward and FindCeiling resolve layers by
-  /// FineCuts.
+  /// `fine`: whether Forward and FindCeiling resolve layers by FineCuts.
   VisibilityTerm(std::shared_ptr<AnyDevice> device, const Grid& grid, const Occupancy& occupancy,
-    const RaySource& source, double rayDensity, const Communicator& ranks = *ThisProcess(),
-    bool fine = false);
+    const RaySource& source, double rayDensity, bool fine = false);
 
   /// Sums what the rays see into `sum`; null: it is summed later. Leaves the optical depths of all
   /// rays.

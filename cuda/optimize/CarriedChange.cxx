@@ -8,7 +8,7 @@
 #include "math/Angle.h"
 #include "math/Number.h"
 #include "math/Require.h"
-#include "optimize/Solver.h"
+#include "optimize/SceneFields.h"
 
 #include <algorithm>
 #include <cmath>
@@ -40,12 +40,7 @@ double DegreesBetween(const Vec3& one, const Vec3& other)
 std::vector<float> Applied(const SceneFields& scene, const ScenePiece& to, float majorant,
   const CarriedChange& change, const ScenePiece& from, const std::vector<float>& ofBase)
 {
-  const Communicator& ranks = *to.ranks;
-  if (!ranks.AnyOf(!ofBase.empty()))
-  {
-    return {};
-  }
-  RequireOnAllRanks(ranks,
+  RequireOnAllRanks(*to.ranks,
     [&]
     {
       LIMPID_REQUIRE(Index(ofBase.size()) == change.ValueCount(),
@@ -92,33 +87,42 @@ double CarriedChange::NearnessTo(
   return this->likeness * std::max(1 - degrees / farAway, 0.0);
 }
 
-CarriedChange OnPiece(
-  CarriedChange change, const Grid& grid, const std::shared_ptr<const ScenePiece>& piece)
+CarriedChange DistributedAs(const SceneFields& scene, CarriedChange change)
 {
-  const auto all = OrWhole(change.piece, change.grid);
+  const auto from = OrWhole(change.piece, change.grid);
+  const auto to = OrWhole(scene.piece, scene.grid);
+  if (from->IsWhole() == to->IsWhole())
+  {
+    return change;
+  }
   for (std::vector<float>* values : { &change.ofExtinction, &change.ofLight })
   {
     if (!values->empty())
     {
-      *values = ResampledIn(*all, change.grid, values->data(), grid, { piece->nodes });
+      *values = ResampledIn(*from, change.grid, values->data(), scene.grid, { to->nodes });
     }
   }
-  change.grid = grid;
-  change.piece = piece;
+  change.grid = scene.grid;
+  change.piece = to;
   return change;
 }
 
-CarriedChange ForAllRanks(CarriedChange change, const Grid& grid)
+CarriedChange Gathered(CarriedChange change, const Grid& coarser)
 {
+  const auto from = OrWhole(change.piece, change.grid);
+  if (from->IsWhole())
+  {
+    return change;
+  }
   for (std::vector<float>* values : { &change.ofExtinction, &change.ofLight })
   {
-    if (change.piece->ranks->AnyOf(!values->empty()))
+    if (from->ranks->AnyOf(!values->empty()))
     {
-      *values = ResampledForAll(*change.piece, change.grid, values->data(), grid);
+      *values = ResampledForAll(*from, change.grid, values->data(), coarser);
     }
   }
-  change.grid = grid;
-  change.piece = ScenePiece::Whole(grid);
+  change.grid = coarser;
+  change.piece = ScenePiece::Whole(coarser);
   return change;
 }
 
@@ -135,16 +139,26 @@ std::vector<float> ChangeOf(Index count, const float* base, const float* extinct
   return change;
 }
 
-CarriedExtinction AppliedTo(const SceneFields& scene, float majorant, const CarriedChange& change)
+std::optional<CarriedExtinction> AppliedTo(
+  const SceneFields& scene, float majorant, const CarriedChange& change)
 {
   const auto from = OrWhole(change.piece, change.grid);
   const auto to = OrWhole(scene.piece, scene.grid);
+  // A subdomain may be empty.
+  const auto has = [&to](const std::vector<float>& values)
+  { return to->ranks->AnyOf(!values.empty()); };
   const bool sharedAlike = from->IsWhole() == to->IsWhole();
-  if (change.Empty() || !sharedAlike || !scene.grid.HasSameBox(change.grid))
+  if (!sharedAlike || !scene.grid.HasSameBox(change.grid) || !has(change.ofExtinction))
   {
     return {};
   }
-  return { Applied(scene, *to, majorant, change, *from, change.ofExtinction),
-    Applied(scene, *to, majorant, change, *from, change.ofLight) };
+  const auto applied = [&](const std::vector<float>& ofBase)
+  { return Applied(scene, *to, majorant, change, *from, ofBase); };
+  CarriedExtinction carried{ applied(change.ofExtinction), {}, has(change.ofLight) };
+  if (carried.hasLight)
+  {
+    carried.light = applied(change.ofLight);
+  }
+  return carried;
 }
 }

@@ -10,6 +10,7 @@
 #include "scene/RaySource.h"
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace limpid
@@ -35,15 +36,13 @@ struct CarriedChange
   Grid grid;
   std::vector<float> ofExtinction; ///< c, ValueCount() values in [-1, 1]; empty: no change
   std::vector<float> ofLight; ///< c of the extinction for the light; empty: same as ofExtinction
-  std::shared_ptr<const ScenePiece> piece; ///< this rank's subdomain; null: all nodes
+  std::shared_ptr<const ScenePiece> piece; ///< subdomain of the values; null: all nodes
   Camera camera;                           ///< the camera for which the change was found
   Light light;
   Settings settings;
   double likeness = 1; ///< similarity of the data to the present data, apart from the above [0, 1]
 
-  bool Empty() const { return this->ofExtinction.empty() && !this->piece; }
-
-  /// Number of values on this rank.
+  /// Number of values in this process.
   Index ValueCount() const
   {
     return this->piece ? this->piece->nodes.Count() : this->grid.NodeCount();
@@ -56,12 +55,11 @@ struct CarriedChange
     const Camera& otherCamera, const Light& otherLight, const Settings& otherSettings) const;
 };
 
-/// Restricts a change that every rank holds completely to a rank's subdomain of a scene.
-CarriedChange OnPiece(
-  CarriedChange change, const Grid& grid, const std::shared_ptr<const ScenePiece>& piece);
+/// Returns a change in the decomposition of a scene, given one of which every process has all.
+CarriedChange DistributedAs(const SceneFields& scene, CarriedChange change);
 
-/// Resamples a distributed change to a coarser grid and gathers all of it on every rank.
-CarriedChange ForAllRanks(CarriedChange change, const Grid& grid);
+/// Returns all of a change in every process: a distributed one is resampled to a coarser grid.
+CarriedChange Gathered(CarriedChange change, const Grid& coarser);
 
 /// Computes c from an extinction at `count` nodes [1/length].
 std::vector<float> ChangeOf(
@@ -70,22 +68,21 @@ std::vector<float> ChangeOf(
 /// The extinctions that result from a change, one value per node each [1/length].
 struct CarriedExtinction
 {
-  std::vector<float> extinction; ///< empty: no change
-  std::vector<float> light;      ///< empty: same as extinction
+  std::vector<float> extinction;
+  std::vector<float> light; ///< of a separate extinction for the light
+  bool hasLight = false;    ///< whether there is one
 
-  /// Returns null if there is no change.
   const float* Of(bool forLight) const
   {
-    const std::vector<float>& values =
-      forLight && !this->light.empty() ? this->light : this->extinction;
-    return values.empty() ? nullptr : values.data();
+    return (forLight && this->hasLight ? this->light : this->extinction).data();
   }
 };
 
 /// Applies a change to a scene with the given majorant. The grids may differ in resolution.
-/// Returns nothing if they cover different boxes, or if only one of the two is distributed. Throws
-/// limpid::Error if the size of the change does not match its grid.
-CarriedExtinction AppliedTo(const SceneFields& scene, float majorant, const CarriedChange& change);
+/// Returns nothing if the change is empty, if they cover different boxes, or if only one of the two
+/// is distributed. Throws limpid::Error if the size of the change does not match its grid.
+std::optional<CarriedExtinction> AppliedTo(
+  const SceneFields& scene, float majorant, const CarriedChange& change);
 }
 
 #endif

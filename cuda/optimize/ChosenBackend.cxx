@@ -31,7 +31,7 @@ GpuNeed NeedOf(const Grid& grid, const Settings& settings)
 
 void ChosenBackend::Choose(const Settings& wanted, const PreparedScene& scene)
 {
-  const Settings settings = scene.Adapted(wanted);
+  const Settings settings = AdaptedTo(scene, wanted);
   this->GpuFailed = this->GpuFailed && settings.backend == this->Wish;
   this->Wish = settings.backend;
   if (this->GpuFailed || (this->Solvers && this->OnGpu && settings.backend != BackendKind::Cpu))
@@ -39,13 +39,8 @@ void ChosenBackend::Choose(const Settings& wanted, const PreparedScene& scene)
     return;
   }
   const BackendChoice choice = ChooseBackend(settings.backend, NeedOf(scene.Nodes(), settings));
-  std::unique_ptr<SolverBackend> solvers = BackendOf(choice.cuda).MakeSolverBackend();
-  if (!scene.Piece().IsWhole())
-  {
-    solvers = MakeDistributedBackend(std::move(solvers), scene.Arrays().piece);
-  }
-  this->Solvers = std::move(solvers);
-  this->Line = NameOnRanks(choice.name, scene.Ranks());
+  this->Solvers = BackendFor(scene, BackendOf(choice.cuda).MakeSolverBackend());
+  this->Line = this->Solvers->Describe(choice.name);
   this->OnGpu = choice.cuda;
 }
 

@@ -4,7 +4,7 @@
 #include "optimize/CoarseProblem.h"
 
 #include "backend/Backend.h"
-#include "distributed/DistributedFields.h"
+#include "distributed/EvenSlabs.h"
 #include "distributed/FieldResampling.h"
 #include "distributed/Neighbourhood.h"
 #include "distributed/OccupancyOnRanks.h"
@@ -35,8 +35,8 @@ RaySource Rescaled(const RaySource& source, const Grid& from, const Grid& to)
 std::vector<float> MovedTo(
   const Problem& problem, const Grid& from, const float* field, const Grid& to)
 {
-  return ResampledIn(ScenePiece::Slabs(problem.Ranks(), from), from, field, to,
-    EvenSlabs(*problem.Ranks(), to.nodes));
+  const std::shared_ptr<const Communicator>& ranks = problem.shared->ranks;
+  return ResampledIn(ScenePiece::Slabs(ranks, from), from, field, to, EvenSlabs(*ranks, to.nodes));
 }
 
 CoarseProblem::CoarseProblem(const Problem& given, int factor)
@@ -94,10 +94,11 @@ std::vector<float> CoarseProblem::Restricted(const float* field, const Grid& to)
   return MovedTo(*this->Given, this->Given->grid, field + this->Given->OwnSlab().Begin(), to);
 }
 
+/// Distributes the fields, of which each rank has a slab.
 void CoarseProblem::UseFields()
 {
   Problem& problem = this->Coarse;
-  const ScenePiece slabs = ScenePiece::Slabs(problem.Ranks(), problem.grid);
+  const ScenePiece slabs = ScenePiece::Slabs(problem.shared->ranks, problem.grid);
   const Neighbourhood around(slabs, problem.grid);
   const FieldInBox bases = around.Extended(this->Base.data());
   const FieldInBox importances = around.Extended(this->Importance.data());
@@ -105,33 +106,7 @@ void CoarseProblem::UseFields()
   FillNodeImportanceOfFilled(
     around.Around(), bases.Data(), importances.Data(), means.Data(), [](int, const Range<int>&) {});
   this->NodeImportance = around.Inside(std::move(means));
-  const auto view = [&slabs](float* values) { return FieldView::Part(values, slabs.nodes); };
-  problem.occupancy =
-    std::make_shared<const Occupancy>(OccupancyOnRanks(*slabs.ranks, problem.grid, slabs.nodes,
-      view(this->Base.data()), view(this->NodeImportance.Data()), problem.settings.skipUnneeded));
-  if (problem.shared)
-  {
-    this->ShareFields(slabs);
-    return;
-  }
-  problem.baseExtinction = this->Base.data();
-  problem.importance = this->Importance.data();
-  problem.nodeImportance = this->NodeImportance.Data();
-  for (std::size_t i = 0; i < this->References.size(); ++i)
-  {
-    problem.furtherPulls[i].reference = this->References[i].data();
-  }
-}
-
-/// Distributes the fields, of which each rank has a slab.
-void CoarseProblem::ShareFields(const ScenePiece& slabs)
-{
-  Problem& problem = this->Coarse;
-  const auto fieldOf = [&](float* values)
-  {
-    return DistributedFields::Field{ FieldView::Part(values, slabs.nodes),
-      NodeValues(problem.grid.NodeCount()) };
-  };
+  const auto fieldOf = [&](float* values) { return DistributedField(values, slabs, problem.grid); };
   const auto fields = std::make_shared<DistributedFields>();
   fields->ranks = slabs.ranks;
   fields->pieces = RegionsOf(slabs.boxes);
@@ -144,6 +119,9 @@ void CoarseProblem::ShareFields(const ScenePiece& slabs)
   {
     fields->references.push_back(fieldOf(reference.data()));
   }
+  problem.occupancy =
+    std::make_shared<const Occupancy>(OccupancyOnRanks(*slabs.ranks, problem.grid, slabs.nodes,
+      fields->base.Piece(), fields->nodeImportance.Piece(), problem.settings.skipUnneeded));
   problem.Use(fields);
 }
 }

@@ -34,7 +34,6 @@ public:
 private:
   std::vector<float> Restricted(const float* field, const Grid& to) const;
   void UseFields();
-  void ShareFields(const ScenePiece& slabs);
 
   const Problem* Given;
   Problem Coarse;

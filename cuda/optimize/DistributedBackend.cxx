@@ -4,12 +4,13 @@
 #include "optimize/DistributedBackend.h"
 
 #include "backend/LargePages.h"
-#include "distributed/DistributedFields.h"
+#include "distributed/EvenSlabs.h"
 #include "distributed/ExchangePlan.h"
 #include "distributed/OccupancyOnRanks.h"
 #include "energy/TransmittanceOnRanks.h"
 #include "energy/VisibilityTerm.h"
 #include "optimize/Permuted.h"
+#include "optimize/PreparedScene.h"
 #include "optimize/RestoringMinimizer.h"
 
 #include <algorithm>
@@ -79,10 +80,7 @@ Problem Shared(
   fields->inSlabs = warm || !problem.furtherPulls.empty() || problem.IsThick() ||
     settings.solver == SolverKind::Adam || settings.smoothness > 0;
   const auto fieldOf = [&](const float* values)
-  {
-    return DistributedFields::Field{ PieceOf(piece, order, values),
-      NodeValues(problem.grid.NodeCount()) };
-  };
+  { return DistributedField(PieceOf(piece, order, values), problem.grid); };
   fields->base = fieldOf(problem.baseExtinction);
   fields->importance = fieldOf(problem.importance);
   fields->nodeImportance = fieldOf(problem.nodeImportance);
@@ -93,8 +91,8 @@ Problem Shared(
 
   Problem shared = Reordered(problem, order);
   shared.Use(fields);
-  shared.occupancy = FindOccupancy(piece, problem.grid, order, fields->base.piece,
-    fields->nodeImportance.piece, problem.settings.skipUnneeded);
+  shared.occupancy = FindOccupancy(piece, problem.grid, order, fields->base.Piece(),
+    fields->nodeImportance.Piece(), problem.settings.skipUnneeded);
   return shared;
 }
 
@@ -204,7 +202,7 @@ public:
         PieceOf(piece, AxisPermutation(), problem.baseExtinction),
         PieceOf(piece, AxisPermutation(), problem.nodeImportance), problem.settings.skipUnneeded))
     , Term(HostDevice::Shared(), problem.grid, *this->Occupied, source, problem.settings.rayDensity,
-        *piece.ranks, problem.fine)
+        problem.fine)
   {
     SweepSubdomains(this->Term.Frusta(), piece, this->Occupied.get());
   }
@@ -261,10 +259,15 @@ class DistributedBackend : public SolverBackend
 {
 public:
   DistributedBackend(
-    std::unique_ptr<SolverBackend> processor, std::shared_ptr<const ScenePiece> piece)
-    : Processor(std::move(processor))
-    , Piece(std::move(piece))
+    std::shared_ptr<const ScenePiece> piece, std::unique_ptr<SolverBackend> processor)
+    : Piece(std::move(piece))
+    , Processor(std::move(processor))
   {
+  }
+
+  std::string Describe(const std::string& processor) const override
+  {
+    return NameOnRanks(processor, *this->Piece->ranks);
   }
 
   std::unique_ptr<Minimizer> MakeMinimizer(
@@ -303,14 +306,43 @@ public:
   }
 
 private:
-  std::unique_ptr<SolverBackend> Processor;
   std::shared_ptr<const ScenePiece> Piece;
+  std::unique_ptr<SolverBackend> Processor;
 };
 }
 
-void RequireAlike(const Communicator& ranks, const Grid& grid, const Camera& camera,
-  const Light& light, const Settings& settings, double nearness)
+std::string NotOnRanks(const Settings& settings)
 {
+  if (settings.method != Method::Optimized)
+  {
+    return std::string("the method ") + InfoOf(settings.method).name;
+  }
+  return {};
+}
+
+Settings AdaptedTo(const PreparedScene& scene, Settings settings)
+{
+  if (scene.Piece().IsWhole())
+  {
+    return settings;
+  }
+  const std::string left = NotOnRanks(settings);
+  LIMPID_REQUIRE(left.empty(),
+    "Ranks share the scene, and " << left
+                                  << " is set (this is not supported in distributed runs). Turn it "
+                                     "off, or give one rank the whole scene.");
+  LIMPID_REQUIRE(settings.backend != BackendKind::Cuda,
+    "Ranks share the scene, and the backend is CUDA (distributed runs are supported on CPUs only). "
+    "Use the backend Auto or CPU.");
+  settings.backend = BackendKind::Cpu;
+  return settings;
+}
+
+void RequireAlike(const PreparedScene& scene, const Camera& camera, const Light& light,
+  const Settings& settings, double nearness)
+{
+  const Grid& grid = scene.Nodes();
+  const Communicator& ranks = *scene.Piece().ranks;
   std::vector<double> numbers;
   for (int axis = 0; axis < 3; ++axis)
   {
@@ -339,9 +371,11 @@ void RequireAlike(const Communicator& ranks, const Grid& grid, const Camera& cam
   }
 }
 
-std::unique_ptr<SolverBackend> MakeDistributedBackend(
-  std::unique_ptr<SolverBackend> processor, std::shared_ptr<const ScenePiece> piece)
+std::unique_ptr<SolverBackend> BackendFor(
+  const PreparedScene& scene, std::unique_ptr<SolverBackend> here)
 {
-  return std::make_unique<DistributedBackend>(std::move(processor), std::move(piece));
+  return scene.Piece().IsWhole()
+    ? std::move(here)
+    : std::make_unique<DistributedBackend>(scene.Arrays().piece, std::move(here));
 }
 }

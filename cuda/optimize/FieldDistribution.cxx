@@ -4,7 +4,7 @@
 #include "optimize/FieldDistribution.h"
 
 #include "distributed/DistributedFields.h"
-#include "distributed/Slab.h"
+#include "distributed/EvenSlabs.h"
 
 #include <algorithm>
 #include <cmath>
@@ -69,22 +69,22 @@ FieldDistribution::FieldDistribution(const Communicator& ranks, const Int3& node
 }
 
 FieldDistribution::FieldDistribution(const Problem& problem, const std::vector<OfTerm>& terms)
-  : All(problem.Ranks().get())
+  : All(problem.shared->ranks.get())
   , Filled(problem.occupancy.get())
   , Nodes(problem.grid.nodes)
 {
-  if (!problem.shared)
+  const DistributedFields& fields = *problem.shared;
+  if (fields.AreInPlace())
   {
     this->AddSlabs(0);
     return;
   }
-  DistributedFields& fields = *problem.shared;
   *this = { *fields.ranks, problem.grid.nodes, terms, *problem.occupancy, fields.inSlabs,
     fields.places };
   this->Wanted = fields.wanted;
   std::vector<Input> inputs;
-  const auto add = [&inputs](DistributedFields::Field& field) {
-    inputs.push_back({ field.piece, field.values.Data() });
+  const auto add = [&inputs](const DistributedField& field) {
+    inputs.push_back({ field.Piece(), field.Values() });
   };
   add(fields.base);
   add(fields.importance);
@@ -151,15 +151,16 @@ void FieldDistribution::KeepOnly(Place home)
 /// Makes the sweeps of all other terms transfer slabs from the only distribution.
 void FieldDistribution::VisitHome(const std::vector<OfTerm>& terms)
 {
-  const FieldLayout fields(NodeBox::Of(this->Nodes), this->RegionsOf(0, &Regions::changed),
+  FieldLayout fields(*this->All, NodeBox::Of(this->Nodes), this->RegionsOf(0, &Regions::changed),
     this->RegionsOf(0, &Regions::needed));
+  fields.room = this->Room;
   for (Place number = 0; number < terms.size(); ++number)
   {
     for (FrustumRays<HostDevice>& rays : *terms[number].frusta)
     {
       if (!this->Has(number))
       {
-        rays.SweepFieldsOf(fields, this->Filled, this->Room);
+        rays.SweepFieldsOf(fields, this->Filled);
       }
     }
   }
@@ -168,8 +169,9 @@ void FieldDistribution::VisitHome(const std::vector<OfTerm>& terms)
 void FieldDistribution::AddTerm(Place number, const OfTerm& term)
 {
   std::vector<Regions> ofFrusta;
-  for (const FrustumRays<HostDevice>& rays : *term.frusta)
+  for (FrustumRays<HostDevice>& rays : *term.frusta)
   {
+    rays.ShareAmong(*this->All);
     Regions regions;
     for (int rank = 0; rank < this->All->Size(); ++rank)
     {

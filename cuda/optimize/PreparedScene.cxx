@@ -56,7 +56,7 @@ Index NumberOf(const SceneFields& scene, Index value)
   return (k * scene.grid.nodes.y + j) * scene.grid.nodes.x + i;
 }
 
-/// Surveys this rank's subdomain. A part of the scene has no occupancy, which needs communication.
+/// Surveys this process's subdomain. The occupancy is that of the scene if there are no others.
 SceneSurvey Survey(const SceneFields& scene, float mostExtinction, const float* importance)
 {
   const Neighbourhood around(*scene.piece, scene.grid);
@@ -67,10 +67,6 @@ SceneSurvey Survey(const SceneFields& scene, float mostExtinction, const float* 
   {
     found = SurveyScene(around.Around(), extinctions.Data(), mostExtinction, importances.Data(), 1);
     found.nodeImportance = around.Inside(std::move(found.nodeImportance));
-  }
-  if (!scene.piece->IsWhole())
-  {
-    found.occupancy = nullptr;
   }
   return found;
 }
@@ -146,6 +142,12 @@ void RequireView(
   const Camera& camera, const Light& light, const Settings& settings, const Grid& grid)
 {
   RequireDistances(SourcesOf(camera, light, settings, grid), grid);
+}
+
+std::shared_ptr<PreparedScene> PreparedScene::Make(const SceneFields& given)
+{
+  return NotifyingOnFailure(*OrWhole(given.piece, given.grid)->ranks,
+    [&given] { return std::make_shared<PreparedScene>(given); });
 }
 
 PreparedScene::PreparedScene(const SceneFields& given)
@@ -228,22 +230,33 @@ NodeValues PreparedScene::LeastExtinction(const Settings& settings)
   return least;
 }
 
+/// Returns null for a subdomain: its occupancy depends on the others.
+std::shared_ptr<const Occupancy> PreparedScene::OccupancyOf(Important& important, bool skip) const
+{
+  if (!this->Piece().IsWhole())
+  {
+    return nullptr;
+  }
+  if (important.occupancy->Skips() != skip)
+  {
+    const SceneFields& scene = this->Fields;
+    important.occupancy = std::make_shared<const Occupancy>(
+      scene.grid, scene.baseExtinction, important.ofNodes.Data(), skip);
+  }
+  return important.occupancy;
+}
+
 Problem PreparedScene::ProblemFor(
   const Camera& camera, const Light& light, const Settings& settings)
 {
   const SceneFields& scene = this->Fields;
   Important& important = this->ImportantFor(settings.importanceSmoothing);
-  if (scene.piece->IsWhole() && important.occupancy->Skips() != settings.skipUnneeded)
-  {
-    important.occupancy = std::make_shared<const Occupancy>(
-      scene.grid, scene.baseExtinction, important.ofNodes.Data(), settings.skipUnneeded);
-  }
   Problem task;
   task.grid = scene.grid;
   task.baseExtinction = scene.baseExtinction;
   task.importance = important.values;
   task.nodeImportance = important.ofNodes.Data();
-  task.occupancy = important.occupancy;
+  task.occupancy = this->OccupancyOf(important, settings.skipUnneeded);
   task.resident = important.resident;
   task.majorant = this->LargestExtinction;
   task.sources = SourcesOf(camera, light, settings, scene.grid);
@@ -273,13 +286,11 @@ std::vector<PullWithReferences> PreparedScene::PullsFor(const CarriedChange& bef
     {
       return;
     }
-    CarriedExtinction near = AppliedTo(this->Fields, this->LargestExtinction, change);
-    // A subdomain may be empty.
-    if (this->Fields.piece->ranks->AnyOf(!near.extinction.empty()))
+    if (auto near = AppliedTo(this->Fields, this->LargestExtinction, change))
     {
-      problem.TakeIntoBounds(near.extinction);
-      problem.TakeIntoBounds(near.light);
-      pulls.push_back({ std::move(near), share, summand });
+      problem.TakeIntoBounds(near->extinction);
+      problem.TakeIntoBounds(near->light);
+      pulls.push_back({ std::move(*near), share, summand });
     }
   };
   const Settings& settings = problem.settings;

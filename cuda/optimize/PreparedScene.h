@@ -4,8 +4,9 @@
 #ifndef limpid_optimize_PreparedScene_h
 #define limpid_optimize_PreparedScene_h
 
+#include "optimize/CarriedChange.h"
 #include "optimize/Problem.h"
-#include "optimize/Solver.h"
+#include "optimize/SceneFields.h"
 #include "scene/NodeValues.h"
 
 #include <memory>
@@ -37,17 +38,28 @@ public:
   /// Throws limpid::Error if the scene is invalid.
   explicit PreparedScene(const SceneFields& given);
 
+  /// Makes it. If that fails here, the other processes that share the scene are told.
+  static std::shared_ptr<PreparedScene> Make(const SceneFields& given);
+
   const Grid& Nodes() const { return this->Fields.grid; }
   const SceneFields& Arrays() const { return this->Fields; } ///< with a decomposition
   const Grid& ArrayGrid() const { return this->OfArrays; }   ///< of the nodes in the arrays
   const ScenePiece& Piece() const { return *this->Fields.piece; }
-  const Communicator& Ranks() const { return *this->Piece().ranks; }
   float Majorant() const { return this->LargestExtinction; } ///< Eq. (25) [1/length]
 
-  /// Returns settings adapted to distributed runs if this is one, see ForRanks.
-  Settings Adapted(const Settings& settings) const
+  // The following are collective: all processes that share the scene call them.
+
+  /// Returns whether a condition holds in any process.
+  bool AnyOf(bool here) const { return this->Piece().ranks->AnyOf(here); }
+
+  /// Returns the maximum of a non-negative number over all processes.
+  float LargestOf(float here) const { return this->Piece().ranks->LargestOf(here); }
+
+  /// Runs collective work. If it fails here, the other processes are told.
+  template <class Work>
+  decltype(auto) Together(const Work& work) const
   {
-    return this->Piece().IsWhole() ? settings : ForRanks(settings);
+    return NotifyingOnFailure(*this->Piece().ranks, work);
   }
 
   /// Whether any extinction can show something: the volume is not empty, and something is
@@ -86,6 +98,7 @@ private:
   };
 
   Important& ImportantFor(ImportanceSmoothing smoothing);
+  std::shared_ptr<const Occupancy> OccupancyOf(Important& important, bool skip) const;
 
   SceneFields Fields;
   Grid OfArrays;

@@ -4,7 +4,8 @@
 #include "optimize/Problem.h"
 
 #include "backend/Backend.h"
-#include "distributed/DistributedFields.h"
+#include "distributed/EvenSlabs.h"
+#include "distributed/ExchangePlan.h"
 #include "optimize/Differences.h"
 #include "optimize/ExtinctionBounds.h"
 #include "sweep/ResolvedLayer.h"
@@ -27,31 +28,26 @@ std::vector<TermSource> SourcesOf(
   return sources;
 }
 
-void Problem::Use(const std::shared_ptr<DistributedFields>& fields)
+void Problem::Use(const std::shared_ptr<const DistributedFields>& fields)
 {
-  this->baseExtinction = fields->base.values.Data();
-  this->importance = fields->importance.values.Data();
-  this->nodeImportance = fields->nodeImportance.values.Data();
+  this->baseExtinction = fields->base.Values();
+  this->importance = fields->importance.Values();
+  this->nodeImportance = fields->nodeImportance.Values();
   for (std::size_t i = 0; i < this->furtherPulls.size(); ++i)
   {
-    this->furtherPulls[i].reference = fields->references[i].values.Data();
+    this->furtherPulls[i].reference = fields->references[i].Values();
   }
   this->shared = fields;
 }
 
 Slab Problem::OwnSlab() const
 {
-  return limpid::OwnSlab(*this->Ranks(), this->grid.nodes);
-}
-
-const std::shared_ptr<const Communicator>& Problem::Ranks() const
-{
-  return this->shared ? this->shared->ranks : ThisProcess();
+  return limpid::OwnSlab(*this->shared->ranks, this->grid.nodes);
 }
 
 void Problem::SumOverAll(ExactSum* sums, std::size_t count) const
 {
-  this->Ranks()->Sum(sums, count);
+  this->shared->ranks->Sum(sums, count);
 }
 
 double Problem::SumOverRows(const std::function<double(int y, int z)>& ofRow) const
@@ -78,9 +74,9 @@ double Problem::SumOverRows(const std::function<double(int y, int z)>& ofRow) co
 void Problem::SlabToPiece(const float* values, const FieldView& piece) const
 {
   const Slab own = this->OwnSlab();
-  Spread(*this->Ranks(), FieldView::Part(const_cast<float*>(values), own.Box()),
-    RegionsOf(EvenSlabs(*this->Ranks(), own.nodes)), piece, this->shared->wanted,
-    this->occupancy.get());
+  const Communicator& ranks = *this->shared->ranks;
+  Spread(ranks, FieldView::Part(const_cast<float*>(values), own.Box()),
+    RegionsOf(EvenSlabs(ranks, own.nodes)), piece, this->shared->wanted, this->occupancy.get());
 }
 
 double Problem::SquaresFrom(const float* other, const float* extinction) const

@@ -4,8 +4,7 @@
 #ifndef limpid_optimize_Problem_h
 #define limpid_optimize_Problem_h
 
-#include "distributed/ScenePiece.h"
-#include "distributed/Slab.h"
+#include "distributed/DistributedFields.h"
 #include "optimize/FoundExtinction.h"
 #include "optimize/Pulls.h"
 #include "optimize/Settings.h"
@@ -14,6 +13,7 @@
 #include "scene/NodeValues.h"
 #include "scene/Occupancy.h"
 #include "scene/RaySource.h"
+#include "scene/Slab.h"
 
 #include <functional>
 #include <memory>
@@ -24,7 +24,6 @@
 namespace limpid
 {
 struct PermutedFields;
-struct DistributedFields;
 
 /// Data that solvers cache for all problems of a scene.
 struct Resident
@@ -62,8 +61,8 @@ struct Problem
   const float* nodeImportance = nullptr;      ///< see NodeImportanceOfFilled [0, 1]
   std::shared_ptr<const Occupancy> occupancy; ///< of base extinction and node importance
   std::shared_ptr<Resident> resident;         ///< null if nothing can be cached
-  std::shared_ptr<DistributedFields>
-    shared;                        ///< fields of a distributed problem; null for one process
+  /// The distribution of the fields, see Use.
+  std::shared_ptr<const DistributedFields> shared = std::make_shared<const DistributedFields>();
   float majorant = 0;              ///< upper bound of the extinction [1/length]
   std::vector<Pull> furtherPulls;  ///< beside the regularisation
   std::vector<TermSource> sources; ///< of the visibility terms, see SourcesOf
@@ -95,20 +94,17 @@ struct Problem
   /// Sets the further pulls. `pulls` must outlive their use.
   void DrawTo(const std::vector<PullWithReferences>& pulls, bool forTheLight);
 
-  /// Uses the fields of a distributed problem.
-  void Use(const std::shared_ptr<DistributedFields>& fields);
+  /// Replaces the fields by distributed ones.
+  void Use(const std::shared_ptr<const DistributedFields>& fields);
 
-  /// The ranks that share its fields.
-  const std::shared_ptr<const Communicator>& Ranks() const;
-
-  /// Returns the slab in which this rank does work on voxels that needs no rays.
+  /// Returns the slab in which this process does work on voxels that needs no rays.
   Slab OwnSlab() const;
 
-  /// Sums over all ranks.
+  /// Sums over all processes that share the fields.
   void SumOverAll(ExactSum* sums, std::size_t count) const;
 
-  /// Sums ofRow(y, z) over all rows of voxels, on all ranks. The result is bit-identical for any
-  /// number of threads and ranks.
+  /// Sums ofRow(y, z) over all rows of voxels. The result is bit-identical for any number of
+  /// threads and processes.
   double SumOverRows(const std::function<double(int y, int z)>& ofRow) const;
 
   /// Redistributes a field, given in the owned slab, to the subdomain (DistributedFields::wanted).
@@ -160,8 +156,8 @@ private:
   double WeightOfRange(double share) const;
 };
 
-/// The start of iterations, one value per node, in a distributed run of this rank's slab
-/// [1/length]; empty for the base extinction.
+/// The start of iterations, one value per node of Problem::OwnSlab [1/length]; empty for the base
+/// extinction.
 using StartingExtinction = std::optional<std::vector<float>>;
 
 /// An iterative method for a problem.
@@ -198,7 +194,7 @@ public:
   /// Returns the values of Best(), possibly without a copy; valid until the next iteration.
   virtual const float* BestValues() const { return this->Best().data(); }
 
-  /// Redistributes the best iterate to the subdomains of the ranks (Problem::shared).
+  /// Redistributes the best iterate to the subdomains (DistributedFields::wanted).
   virtual void BestToPiece(const FieldView&) const {}
 
   /// Returns the best iterate on the computing device, valid until the next iteration; null

@@ -3,9 +3,10 @@
 
 #include "optimize/Progressive.h"
 
-#include "backend/Backend.h"
-#include "distributed/FieldResampling.h"
+#include "backend/ComputeBackend.h"
 #include "math/Require.h"
+#include "optimize/CoarseScene.h"
+#include "optimize/DistributedBackend.h"
 #include "optimize/PassTime.h"
 #include "optimize/PreparedScene.h"
 #include "optimize/PreviewPass.h"
@@ -20,59 +21,10 @@ namespace limpid
 {
 namespace
 {
-/// Restricts a field of a scene to a coarser grid that every rank gets.
-std::vector<float> Restrict(const PreparedScene& scene, const float* field, const Grid& grid)
-{
-  return ResampledForAll(scene.Piece(), scene.Nodes(), field, grid);
-}
-
-std::vector<float> RestrictImportance(
-  const PreparedScene& scene, const float* importance, const Grid& grid)
-{
-  std::vector<float> coarse = Restrict(scene, importance, grid);
-  // Rounding may make a mean of numbers up to 1 exceed 1.
-  ParallelFor(grid.NodeCount(), 65536,
-    [&coarse](Index node)
-    {
-      float& value = coarse[std::size_t(node)];
-      value = std::min(value, 1.0f);
-    });
-  return coarse;
-}
-
-/// A coarse grid with its own fields, for previews.
-struct CoarseScene
-{
-  std::vector<float> base;
-  std::vector<float> importance;
-  std::vector<float> despeckled; ///< specks are identified at full resolution; empty if not needed
-
-  CoarseScene(PreparedScene& fine, ImportanceSmoothing smoothing, const Grid& grid)
-    : base(Restrict(fine, fine.Arrays().baseExtinction, grid))
-    , importance(RestrictImportance(fine, fine.Arrays().importance, grid))
-  {
-    if (smoothing == ImportanceSmoothing::Median)
-    {
-      this->despeckled = RestrictImportance(fine, fine.ImportanceFor(smoothing), grid);
-    }
-  }
-
-  bool Has(ImportanceSmoothing smoothing) const
-  {
-    return smoothing == ImportanceSmoothing::Off || !this->despeckled.empty();
-  }
-
-  SceneFields Fields(const Grid& grid, float majorant) const
-  {
-    return { grid, this->base.data(), this->importance.data(), majorant,
-      this->despeckled.empty() ? nullptr : this->despeckled.data() };
-  }
-};
-
 struct PreviewLevel
 {
-  std::unique_ptr<CoarseScene> fields;  ///< null if the level uses the scene's own fields
-  std::unique_ptr<PreviewPass> preview; ///< created on first use
+  std::unique_ptr<CoarseScene> fields;  ///< null before the first use
+  std::unique_ptr<PreviewPass> preview; ///< null before the first use
 };
 
 /// Which result is shown.
@@ -88,7 +40,7 @@ enum class Shown
 struct Progressive::Internals
 {
   std::shared_ptr<PreparedScene> scene;
-  std::vector<Grid> grids; ///< of previews, finest first; small enough for every rank
+  std::vector<Grid> grids; ///< of previews, finest first
   std::vector<Index> nodes;
   std::vector<PreviewLevel> levels;
   PassTime time;
@@ -112,32 +64,9 @@ struct Progressive::Internals
   bool keptForLight = false;        ///< whether `kept` has a separate extinction for the light
   std::optional<Scores> keptScores; ///< empty if not known yet
 
-  const Communicator& Ranks() const { return this->scene->Ranks(); }
-
-  /// Whether the arrays of the scene hold all nodes.
-  bool IsWhole() const { return this->scene->Piece().IsWhole(); }
-
-  /// The current settings, adapted to distributed runs.
-  Settings Wanted() const { return this->scene->Adapted(this->settings); }
-
   void PlaceGrids()
   {
-    const Grid& full = this->scene->Nodes();
-    constexpr int coarsest = 32;
-    const auto suits = [&](const Grid& grid, bool last)
-    {
-      return this->grids.empty()
-        ? last || IsForAll(this->Ranks(), grid, full)
-        : this->grids.back().NodeCount() > 4096 && grid.nodes != this->grids.back().nodes;
-    };
-    for (const int factor : { 1, 2, 3, 4, 6, 8, 12, 16, 24, coarsest })
-    {
-      const Grid grid = factor == 1 ? full : CoarseGrid(full, factor);
-      if (suits(grid, factor == coarsest))
-      {
-        this->grids.push_back(grid);
-      }
-    }
+    this->grids = GridsForPreviews(*this->scene);
     for (const Grid& grid : this->grids)
     {
       this->nodes.push_back(grid.NodeCount());
@@ -150,17 +79,10 @@ struct Progressive::Internals
   {
     PreviewLevel& wanted = this->levels[number];
     const ImportanceSmoothing smoothing = this->settings.importanceSmoothing;
-    if (!wanted.preview || (wanted.fields && !wanted.fields->Has(smoothing)))
+    if (!wanted.fields || !wanted.fields->Supports(smoothing))
     {
-      std::shared_ptr<PreparedScene> prepared = this->scene;
-      if (number > 0 || !this->IsWhole())
-      {
-        const Grid& grid = this->grids[number];
-        wanted.fields = std::make_unique<CoarseScene>(*this->scene, smoothing, grid);
-        prepared = std::make_shared<PreparedScene>(
-          wanted.fields->Fields(grid, this->scene->Arrays().majorant));
-      }
-      wanted.preview = std::make_unique<PreviewPass>(std::move(prepared));
+      wanted.fields = std::make_unique<CoarseScene>(this->scene, smoothing, this->grids[number]);
+      wanted.preview = std::make_unique<PreviewPass>(wanted.fields->Prepared());
     }
     return *wanted.preview;
   }
@@ -230,7 +152,7 @@ Progressive::Progressive(const SceneFields& scene, const Settings& settings)
 {
   RequireSettings(settings);
   this->State->scene = std::make_shared<PreparedScene>(scene);
-  this->State->settings = settings;
+  this->State->settings = AdaptedTo(*this->State->scene, settings);
   this->State->PlaceGrids();
 }
 
@@ -242,12 +164,10 @@ void Progressive::GoOnFrom(const CarriedChange& change)
 {
   Internals& state = *this->State;
   LIMPID_EXPECT(state.shown == Shown::Nothing);
-  CarriedExtinction carried = AppliedTo(state.scene->Arrays(), state.scene->Majorant(), change);
-  // The subdomain of a rank may be empty.
-  if (state.Ranks().AnyOf(!carried.extinction.empty()))
+  if (auto carried = AppliedTo(state.scene->Arrays(), state.scene->Majorant(), change))
   {
-    state.keptForLight = state.Ranks().AnyOf(!carried.light.empty());
-    state.kept = { { std::move(carried.extinction), std::move(carried.light) } };
+    state.keptForLight = carried->hasLight;
+    state.kept = { { std::move(carried->extinction), std::move(carried->light) } };
     state.keptScores.reset();
     state.Show(Shown::Kept);
     state.shownCamera = change.camera;
@@ -260,10 +180,7 @@ void Progressive::GoOnFrom(const CarriedChange& change)
 
 CarriedChange Progressive::Change() const
 {
-  const Internals& state = *this->State;
-  const bool isForAll = !state.IsWhole() && state.shown == Shown::Preview;
-  return isForAll ? OnPiece(this->FoundChange(), state.scene->Nodes(), state.scene->Arrays().piece)
-                  : this->FoundChange();
+  return DistributedAs(this->State->scene->Arrays(), this->FoundChange());
 }
 
 /// Returns the change on the grid on which it was found.
@@ -293,9 +210,10 @@ CarriedChange Progressive::FoundChange() const
   return change;
 }
 
-void Progressive::SetView(const Camera& camera, const Light& light, const Settings& settings)
+void Progressive::SetView(const Camera& camera, const Light& light, const Settings& wanted)
 {
   Internals& state = *this->State;
+  const Settings settings = AdaptedTo(*state.scene, wanted);
   if (state.hasView && camera == state.camera && light == state.light && settings == state.settings)
   {
     return;
@@ -325,20 +243,17 @@ void Progressive::Preview(double seconds)
     return; // the shown result cannot be improved for the current view
   }
   const std::size_t level =
-    state.time.Choose(state.nodes, state.Ranks().LargestOf(float(seconds)), state.level);
+    state.time.Choose(state.nodes, state.scene->LargestOf(float(seconds)), state.level);
   if (state.levelIsCurrent && level >= state.level)
   {
     return;
   }
   PreviewPass& preview = state.PreviewOn(level);
-  CarriedChange previous = this->StaysNear() ? this->FoundChange() : CarriedChange();
-  if (previous.piece && !previous.piece->IsWhole())
-  {
-    previous = ForAllRanks(std::move(previous), state.grids[level]);
-  }
+  const CarriedChange previous =
+    this->StaysNear() ? Gathered(this->FoundChange(), state.grids[level]) : CarriedChange();
   const double taken = SecondsPerNodeOf(
-    state.nodes[level], [&] { preview.Make(state.camera, state.light, state.Wanted(), previous); });
-  state.time.Learn(state.Ranks().LargestOf(float(taken)));
+    state.nodes[level], [&] { preview.Make(state.camera, state.light, state.settings, previous); });
+  state.time.Learn(state.scene->LargestOf(float(taken)));
   state.level = level;
   state.levelIsCurrent = true;
   state.Show(Shown::Preview);
@@ -390,14 +305,12 @@ bool Progressive::Settled() const
 
 const Grid& Progressive::ShownGrid() const
 {
-  const Internals& state = *this->State;
-  return this->ShowsPiece() ? state.scene->ArrayGrid() : state.ShownScene().Nodes();
+  return this->State->ShownScene().ArrayGrid();
 }
 
 bool Progressive::ShowsPiece() const
 {
-  const Internals& state = *this->State;
-  return !state.IsWhole() && state.shown != Shown::Preview;
+  return !this->State->ShownScene().Piece().IsWhole();
 }
 
 const float* Progressive::BaseExtinction() const
@@ -541,14 +454,14 @@ const Scores& Progressive::KeptScores() const
   Internals& state = *this->State;
   if (!state.keptScores)
   {
-    state.keptScores = this->ScoresWith(state.camera, state.Wanted());
+    state.keptScores = this->ScoresWith(state.camera, state.settings);
   }
   return *state.keptScores;
 }
 
 Scores Progressive::ScoresFrom(const Camera& camera, const OpaqueGeometry* opaque) const
 {
-  Settings settings = this->State->Wanted();
+  Settings settings = this->State->settings;
   settings.otherCameras.clear();
   Scores scores = this->ScoresWith(camera, settings, opaque);
   scores.best = this->State->showsBase ? scores.base : scores.best;
@@ -577,7 +490,7 @@ Scores Progressive::ScoresWith(
 Ceiling Progressive::CeilingFrom(const Camera& camera, const OpaqueGeometry* opaque) const
 {
   const Internals& state = *this->State;
-  Settings settings = state.Wanted();
+  Settings settings = state.settings;
   if (!InfoOf(settings.method).iterates)
   {
     return {};
@@ -598,7 +511,12 @@ int Progressive::Iterations() const
 std::string Progressive::BackendName() const
 {
   const Internals& state = *this->State;
-  return state.solver ? state.solver->BackendName()
-                      : NameOnRanks(ChooseBackend(state.Wanted().backend, {}).name, state.Ranks());
+  if (state.solver)
+  {
+    return state.solver->BackendName();
+  }
+  const BackendChoice choice = ChooseBackend(state.settings.backend, {});
+  return BackendFor(*state.scene, BackendOf(choice.cuda).MakeSolverBackend())
+    ->Describe(choice.name);
 }
 }

@@ -57,11 +57,11 @@ public:
   /// Sets camera, light and settings. The previous result stays shown until there is a new one.
   /// Does nothing if all are unchanged. If they are invalid, throws limpid::Error and changes
   /// nothing.
-  void SetView(const Camera& camera, const Light& light, const Settings& settings);
+  void SetView(const Camera& camera, const Light& light, const Settings& wanted);
 
   /// Performs one policy pass on the finest grid that is expected to take at most `seconds`. Does
-  /// nothing if the shown result is at least as good for the current view. In distributed runs
-  /// each process computes the same pass, on a grid small enough for all.
+  /// nothing if the shown result is at least as good for the current view. Processes that share the
+  /// scene compute the same pass, on a grid small enough for each.
   void Preview(double seconds);
 
   /// Performs the next iteration at full resolution; the first call for a view only prepares.

@@ -71,27 +71,4 @@ bool operator==(const Settings& one, const Settings& other)
 {
   return NumbersOf(one) == NumbersOf(other) && one.otherCameras == other.otherCameras;
 }
-
-std::string NotOnRanks(const Settings& settings)
-{
-  if (settings.method != Method::Optimized)
-  {
-    return std::string("the method ") + InfoOf(settings.method).name;
-  }
-  return {};
-}
-
-Settings ForRanks(Settings settings)
-{
-  const std::string left = NotOnRanks(settings);
-  LIMPID_REQUIRE(left.empty(),
-    "Ranks share the scene, and " << left
-                                  << " is set (this is not supported in distributed runs). Turn it "
-                                     "off, or give one rank the whole scene.");
-  LIMPID_REQUIRE(settings.backend != BackendKind::Cuda,
-    "Ranks share the scene, and the backend is CUDA (distributed runs are supported on CPUs only). "
-    "Use the backend Auto or CPU.");
-  settings.backend = BackendKind::Cpu;
-  return settings;
-}
 }

@@ -17,16 +17,6 @@
 
 namespace limpid
 {
-struct Settings;
-
-/// Returns the first setting that is not supported in distributed runs, such as "the method
-/// Viola2004"; empty if all are.
-std::string NotOnRanks(const Settings& settings);
-
-/// Adapts settings to distributed runs, which use processors. Throws limpid::Error if they are not
-/// supported.
-Settings ForRanks(Settings settings);
-
 enum class SolverKind
 {
   Policy, ///< policy sweeps, Documentation/Method.md

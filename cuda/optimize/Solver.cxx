@@ -14,8 +14,7 @@ Solver::Solver(const SceneFields& scene, const Camera& camera, const Light& ligh
   : State(std::make_unique<Internals>())
 {
   RequireSettings(settings);
-  NotifyingOnFailure(scene.piece ? *scene.piece->ranks : *ThisProcess(),
-    [&] { this->State->prepared = std::make_shared<PreparedScene>(scene); });
+  this->State->prepared = PreparedScene::Make(scene);
   this->State->Set(camera, light, settings, previous);
   this->State->OnBackend([this] { this->State->Begin(); });
 }

@@ -4,11 +4,10 @@
 #ifndef limpid_optimize_Solver_h
 #define limpid_optimize_Solver_h
 
-#include "distributed/ScenePiece.h"
 #include "optimize/CarriedChange.h"
 #include "optimize/FoundExtinction.h"
+#include "optimize/SceneFields.h"
 #include "optimize/Settings.h"
-#include "scene/Grid.h"
 #include "scene/RaySource.h"
 
 #include <array>
@@ -18,33 +17,6 @@
 
 namespace limpid
 {
-/// The fields of a scene. The caller owns the arrays and keeps them while a solver uses them.
-struct SceneFields
-{
-  Grid grid;
-  const float* baseExtinction = nullptr; ///< grid.NodeCount() values >= 0, finite [1/length]
-  const float* importance = nullptr;     ///< grid.NodeCount() values in [0, 1]
-
-  /// Upper bound of the extinction, Eq. (25): the largest extinction of the transfer function, so
-  /// that it depends neither on time nor on cropping. At least, and by default, the largest value
-  /// of the base extinction [1/length].
-  float majorant = 0;
-
-  /// The despeckled importance for ImportanceSmoothing::Median, grid.NodeCount() values in [0, 1];
-  /// null: computed on request.
-  const float* despeckled = nullptr;
-
-  /// This rank's subdomain of a distributed scene: the arrays hold the values of its nodes only,
-  /// first axis fastest. Null if they hold all nodes.
-  std::shared_ptr<const ScenePiece> piece = nullptr;
-
-  /// Number of values in the arrays.
-  Index ValueCount() const
-  {
-    return this->piece ? this->piece->nodes.Count() : this->grid.NodeCount();
-  }
-};
-
 class PreparedScene;
 
 /**
@@ -122,7 +94,7 @@ public:
   double Seconds() const;
   const std::vector<IterationRecord>& History() const; ///< all iterations, starting with the base
 
-  /// Describes the backend: "CPU, 2 threads", or in distributed runs "…, on each of 4 ranks".
+  /// Describes the backend for the user: "CPU, 2 threads".
   std::string BackendName() const;
 
   /// Computes the transmittance from the camera to every voxel through Extinction(), Eq. (15).

@@ -29,8 +29,8 @@ public:
     , Device(device)
     , Fields(ProblemFields<AnyDevice>::Of(device, problem))
     , Pulls(device, problem, this->Fields->base.Data())
-    , Term(device, problem.grid, *problem.occupancy, source, problem.settings.rayDensity,
-        *ThisProcess(), problem.fine)
+    , Term(
+        device, problem.grid, *problem.occupancy, source, problem.settings.rayDensity, problem.fine)
     , Sum(DeviceArray<AnyDevice, Seen>::Zeros(device, 1, "sums"))
   {
   }

@@ -45,6 +45,9 @@ class SolverBackend
 public:
   virtual ~SolverBackend() = default;
 
+  /// Describes the backend for the user, given the name of what computes in this process.
+  virtual std::string Describe(const std::string& here) const { return here; }
+
   /// Makes a method for a problem from a first iterate. `warm`: whether the iterate is near the
   /// optimum.
   virtual std::unique_ptr<Minimizer> MakeMinimizer(

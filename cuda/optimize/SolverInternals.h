@@ -72,8 +72,7 @@ struct Solver::Internals
     const Camera& eye, const Light& lamp, const Settings& wanted, const CarriedChange& before)
   {
     this->scene = this->prepared->Arrays();
-    RequireAlike(
-      this->Ranks(), this->scene.grid, eye, lamp, wanted, before.NearnessTo(eye, lamp, wanted));
+    RequireAlike(*this->prepared, eye, lamp, wanted, before.NearnessTo(eye, lamp, wanted));
     this->pulls =
       this->prepared->PullsFor(before, this->prepared->ProblemFor(eye, lamp, wanted), eye, lamp);
     this->camera = eye;
@@ -133,11 +132,9 @@ struct Solver::Internals
       }
       this->stopped = wasStopped;
     };
-    return NotifyingOnFailure(
-      this->Ranks(), [&]() -> decltype(auto) { return this->backend.Do(work, restore); });
+    return this->prepared->Together(
+      [&]() -> decltype(auto) { return this->backend.Do(work, restore); });
   }
-
-  const Communicator& Ranks() const { return this->prepared->Ranks(); }
 
   /// Performs the next iteration or ends the run.
   void Advance(const Progress& progress)
@@ -377,8 +374,8 @@ struct Solver::Internals
       this->best = tells ? std::optional<Score>(record.score) : std::nullopt;
     }
     this->stopped =
-      this->Ranks().AnyOf(progress && !progress(this->Share(), this->Describe(record)));
-    const bool late = this->Ranks().AnyOf(
+      this->prepared->AnyOf(progress && !progress(this->Share(), this->Describe(record)));
+    const bool late = this->prepared->AnyOf(
       this->settings.maximumSeconds > 0 && this->seconds >= this->settings.maximumSeconds);
     if (this->stopped || late || this->RunIsOver())
     {

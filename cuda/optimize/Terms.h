@@ -31,8 +31,8 @@ class EnergyTerm : public VisibilityTerm<AnyDevice>
 public:
   EnergyTerm(const std::shared_ptr<AnyDevice>& device, const Problem& problem,
     const TermSource& source, std::size_t number)
-    : VisibilityTerm<AnyDevice>(device, problem.grid, *problem.occupancy, source.rays,
-        problem.settings.rayDensity, *problem.Ranks())
+    : VisibilityTerm<AnyDevice>(
+        device, problem.grid, *problem.occupancy, source.rays, problem.settings.rayDensity)
     , Source(&source)
     , Share(problem.WeightOf(source))
     , Position(number)

@@ -25,13 +25,17 @@ constexpr int mostSlicesInFront = 1; ///< maximum number of slices in front that
 /// The distribution of fields outside of sweeps.
 struct FieldLayout
 {
+  const Communicator* ranks; ///< those that share the fields
   Index first; ///< index of node (0, 0, 0) in the local arrays, which need not contain it
   std::array<Index, 3> stride; ///< see FieldView
   std::vector<Region> kept;    ///< [rank]: owned nodes; regions of ranks are disjoint
   std::vector<Region> wanted;  ///< [rank]: nodes to which changed values are returned
 
-  /// For arrays that hold the nodes of a box.
-  FieldLayout(const NodeBox& box, std::vector<Region> had, std::vector<Region> returned);
+  std::shared_ptr<ExchangeBuffers> room = std::make_shared<ExchangeBuffers>(); ///< for all sweeps
+
+  /// For arrays that hold the nodes of a box. `among` must outlive this object.
+  FieldLayout(const Communicator& among, const NodeBox& box, std::vector<Region> had,
+    std::vector<Region> returned);
 
   FieldView On(float* field) const { return { field + this->first, this->stride }; }
 };
@@ -59,8 +63,7 @@ public:
    * read.
    */
   static std::unique_ptr<FieldSlabs> Redistributed(const FaceFrustum& frustum,
-    const BandDecomposition& bands, const FieldLayout& home, const Occupancy* filled,
-    const std::shared_ptr<ExchangeBuffers>& room, int margin);
+    const BandDecomposition& bands, const FieldLayout& home, const Occupancy* filled, int margin);
 
   virtual ~FieldSlabs() = default;
 

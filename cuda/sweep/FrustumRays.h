@@ -70,8 +70,7 @@ template <class AnyDevice>
 class FrustumTables
 {
 public:
-  FrustumTables(
-    const std::shared_ptr<AnyDevice>& device, PlannedFrustum&& planned, const PlanSettings&)
+  FrustumTables(const std::shared_ptr<AnyDevice>& device, PlannedFrustum&& planned)
     : Device(device)
     , Tables(device, planned.memory.get(), planned.bytes, "the plan of a sweep")
     , Addresses(planned)
@@ -88,8 +87,7 @@ public:
   const FaceFrustum& Plan() const { return this->Addresses; }
 
   /// Must not be called: Settings and Renderer refuse distributed fields for GPUs.
-  void SweepFieldsOf(
-    const FieldLayout&, const Occupancy*, const std::shared_ptr<ExchangeBuffers>&, int)
+  void SweepFieldsOf(const FieldLayout&, const Occupancy*, int)
   {
     LIMPID_EXPECT(!"a GPU sweeps fields in place");
   }
@@ -172,24 +170,33 @@ template <>
 class FrustumTables<HostDevice>
 {
 public:
-  FrustumTables(
-    const std::shared_ptr<HostDevice>&, PlannedFrustum&& planned, const PlanSettings& settings)
+  FrustumTables(const std::shared_ptr<HostDevice>&, PlannedFrustum&& planned)
     : Planned(std::move(planned))
-    , Shared(std::make_unique<BandDecomposition>(this->Planned, *settings.ranks))
-    , Slabs(FieldSlabs::Local(this->Planned, *this->Shared))
   {
+    this->ShareAmong(*ThisProcess());
+  }
+
+  /// Divides the rays among ranks, which must outlive this object. Sweeps read and write fields
+  /// that hold the nodes which these rays read.
+  void ShareAmong(const Communicator& ranks)
+  {
+    this->Shared = std::make_unique<BandDecomposition>(this->Planned, ranks);
+    this->Slabs = FieldSlabs::Local(this->Planned, *this->Shared);
   }
 
   const FaceFrustum& Plan() const { return this->Planned; }
   const BandDecomposition& Bands() const { return *this->Shared; }
   FieldSlabs& Fields() const { return *this->Slabs; }
 
-  /// From now on sweeps read and write fields of this distribution, see FieldSlabs::Redistributed.
-  void SweepFieldsOf(const FieldLayout& home, const Occupancy* filled,
-    const std::shared_ptr<ExchangeBuffers>& room, int margin = 0)
+  /// Divides the rays among the ranks of a distribution. Sweeps read and write fields that are
+  /// distributed so, see FieldSlabs::Redistributed.
+  void SweepFieldsOf(const FieldLayout& home, const Occupancy* filled, int margin = 0)
   {
-    this->Slabs =
-      FieldSlabs::Redistributed(this->Planned, *this->Shared, home, filled, room, margin);
+    if (&this->Shared->Ranks() != home.ranks)
+    {
+      this->ShareAmong(*home.ranks);
+    }
+    this->Slabs = FieldSlabs::Redistributed(this->Planned, *this->Shared, home, filled, margin);
   }
 
   /// Splits a range of slices where the decomposition of the rays changes.
@@ -226,9 +233,8 @@ template <class AnyDevice>
 class FrustumRays : public FrustumTables<AnyDevice>
 {
 public:
-  FrustumRays(const std::shared_ptr<AnyDevice>& device, PlannedFrustum&& planned,
-    const PlanSettings& settings = {})
-    : FrustumTables<AnyDevice>(device, std::move(planned), settings)
+  FrustumRays(const std::shared_ptr<AnyDevice>& device, PlannedFrustum&& planned)
+    : FrustumTables<AnyDevice>(device, std::move(planned))
     , Values(device, this->Plan().RayCount())
   {
   }
@@ -252,7 +258,7 @@ std::vector<FrustumRays<AnyDevice>> PlanRays(const std::shared_ptr<AnyDevice>& d
   std::vector<FrustumRays<AnyDevice>> frusta;
   for (PlannedFrustum& planned : PlanSweep(grid, occupancy, source, settings))
   {
-    frusta.emplace_back(device, std::move(planned), settings);
+    frusta.emplace_back(device, std::move(planned));
   }
   return frusta;
 }

@@ -4,7 +4,6 @@
 #ifndef limpid_sweep_PlanSweep_h
 #define limpid_sweep_PlanSweep_h
 
-#include "distributed/Communicator.h"
 #include "scene/Grid.h"
 #include "scene/Occupancy.h"
 #include "scene/RaySource.h"
@@ -40,7 +39,6 @@ struct PlanSettings
 {
   double rayDensity = 1; ///< rays per voxel and axis on the farthest slice
   RayPlacement placement = RayPlacement::ForIntegrals;
-  const Communicator* ranks = ThisProcess().get(); ///< those that share the rays
   Readers readers = Readers::RaysAndVoxels;
   std::array<bool, 3> depthAxes{ { true, true, true } }; ///< frusta along other axes are omitted
 };

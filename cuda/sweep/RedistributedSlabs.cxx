@@ -10,8 +10,10 @@
 
 namespace limpid
 {
-FieldLayout::FieldLayout(const NodeBox& box, std::vector<Region> had, std::vector<Region> returned)
-  : first(0)
+FieldLayout::FieldLayout(const Communicator& among, const NodeBox& box, std::vector<Region> had,
+  std::vector<Region> returned)
+  : ranks(&among)
+  , first(0)
   , stride(FieldView::Whole(nullptr, box.Size()).stride)
   , kept(std::move(had))
   , wanted(std::move(returned))
@@ -29,19 +31,18 @@ class RedistributedSlabs : public CopiedSlabs
 {
 public:
   RedistributedSlabs(const FaceFrustum& frustum, const BandDecomposition& bands,
-    const FieldLayout& home, const Occupancy* filled, const std::shared_ptr<ExchangeBuffers>& room,
-    int margin)
+    const FieldLayout& home, const Occupancy* filled, int margin)
     : CopiedSlabs(frustum, bands, margin)
     , Home(home)
   {
     const auto plan = [&](const std::vector<Region>& from, const std::vector<Region>& to)
     {
       return ExchangePlan(
-        bands.Ranks(), from, to, filled, room, ExchangePlan::Keep::Boxes, frustum.axisU);
+        *home.ranks, from, to, filled, home.room, ExchangePlan::Keep::Boxes, frustum.axisU);
     };
     std::vector<Region> needed;
     std::vector<Region> changed;
-    for (int rank = 0; rank < bands.Ranks().Size(); ++rank)
+    for (int rank = 0; rank < home.ranks->Size(); ++rank)
     {
       needed.push_back(NeededRegion(frustum, bands, rank, margin));
       changed.push_back(OwnedRegion(frustum, bands, rank));
@@ -121,9 +122,8 @@ private:
 }
 
 std::unique_ptr<FieldSlabs> FieldSlabs::Redistributed(const FaceFrustum& frustum,
-  const BandDecomposition& bands, const FieldLayout& home, const Occupancy* filled,
-  const std::shared_ptr<ExchangeBuffers>& room, int margin)
+  const BandDecomposition& bands, const FieldLayout& home, const Occupancy* filled, int margin)
 {
-  return std::make_unique<RedistributedSlabs>(frustum, bands, home, filled, room, margin);
+  return std::make_unique<RedistributedSlabs>(frustum, bands, home, filled, margin);
 }
 }

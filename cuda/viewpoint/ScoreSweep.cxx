@@ -101,12 +101,10 @@ private:
   /// Returns the rays of a part, which is consumed. `margin`: see FieldSlabs.
   FrustumRays<AnyDevice> RaysOf(ViewFields::Part& part, int margin) const
   {
-    const PlanSettings settings{ 1, RayPlacement::ForIntegrals, part.fields->ranks };
-    FrustumRays<AnyDevice> rays(this->Device, std::move(part.frustum), settings);
+    FrustumRays<AnyDevice> rays(this->Device, std::move(part.frustum));
     if (part.fields->home)
     {
-      rays.SweepFieldsOf(*part.fields->home, part.fields->occupancy.get(),
-        std::make_shared<ExchangeBuffers>(), margin);
+      rays.SweepFieldsOf(*part.fields->home, part.fields->occupancy.get(), margin);
     }
     return rays;
   }

@@ -66,7 +66,8 @@ namespace
 /// Returns a progress function with the same answer on all processes that share the scene.
 SearchProgress JointProgress(const ViewScore& score, const SearchProgress& progress)
 {
-  return [&score, progress](double share) { return !score.AnyOf(progress && !progress(share)); };
+  return [&score, progress](double share)
+  { return !score.Seen().AnyOf(progress && !progress(share)); };
 }
 
 /// In distributed runs, scores one view after the other.
@@ -91,7 +92,7 @@ std::vector<ScoredView> ScoreViewsTogether(const ViewScore& score, const Orbit& 
 std::vector<ScoredView> ScoreViews(const ViewScore& score, const Orbit& orbit,
   const std::vector<Vec3>& directions, const SearchProgress& progress)
 {
-  if (score.IsShared())
+  if (score.Seen().AreShared())
   {
     return ScoreViewsTogether(score, orbit, directions, JointProgress(score, progress));
   }

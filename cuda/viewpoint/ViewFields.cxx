@@ -4,7 +4,10 @@
 #include "viewpoint/ViewFields.h"
 
 #include "backend/Backend.h"
+#include "distributed/EvenSlabs.h"
+#include "distributed/Neighbourhood.h"
 #include "distributed/OccupancyOnRanks.h"
+#include "energy/NodeImportance.h"
 
 #include <algorithm>
 #include <utility>
@@ -152,7 +155,8 @@ SweptFields Share(const Grid& grid, const ViewedFields& viewed, const IndexBox& 
     owned.push_back({ InCut(box, cut, axes) });
   }
   const NodeBox own = InCut(piece.Owned(), cut, axes);
-  auto home = std::make_unique<FieldLayout>(piece.nodes, std::move(owned), std::vector<Region>());
+  auto home = std::make_unique<FieldLayout>(
+    *piece.ranks, piece.nodes, std::move(owned), std::vector<Region>());
   home->wanted.resize(piece.owned.size());
   for (int axis = 0; axis < 3; ++axis)
   {
@@ -166,7 +170,6 @@ SweptFields Share(const Grid& grid, const ViewedFields& viewed, const IndexBox& 
     home->On(const_cast<float*>(fields.values.extinction)),
     home->On(const_cast<float*>(fields.values.importance)), true));
   fields.home = std::move(home);
-  fields.ranks = piece.ranks.get();
   return fields;
 }
 
@@ -179,12 +182,32 @@ Occupancy OccupancyOf(const Grid& grid, const ScenePiece& piece, const ViewedFie
     *piece.ranks, grid, piece.Owned(), view(viewed.extinction), view(viewed.importance), true);
 }
 
+/// Sums over all ranks; rows of slabs are complete.
+double ImportantExtinctionOf(const Grid& grid, const ScenePiece& piece, const ViewedFields& viewed)
+{
+  const float* base = viewed.base ? viewed.base : viewed.extinction;
+  const std::vector<NodeBox> slabs = EvenSlabs(*piece.ranks, grid.nodes);
+  const auto rank = std::size_t(piece.ranks->Rank());
+  const NodeBox own = slabs[rank];
+  const std::vector<NodeBox> wanted = WithGhosts(slabs, 1, grid.nodes);
+  const FieldInBox bases = FieldIn(piece, wanted, base);
+  const FieldInBox importances = FieldIn(piece, wanted, viewed.importance);
+  std::vector<double> rows(std::size_t(grid.nodes.y) * std::size_t(grid.nodes.z), 0.0);
+  if (!own.Empty())
+  {
+    FillRowsOfImportantExtinction(
+      grid, wanted[rank].along[2], own.along[2], bases.Data(), importances.Data(), rows.data());
+  }
+  piece.ranks->Gather(rows.data(), rows.size());
+  return SumOfRows(grid, rows);
+}
+
 void AddParts(const SweptFields& fields, const Camera& camera, double rayDensity,
   const std::array<bool, 3>& depthAxes, std::vector<ViewFields::Part>& parts)
 {
   const RaySource eye = SourceOfCamera(camera, fields.grid, false);
   for (PlannedFrustum& frustum : PlanSweep(fields.grid, *fields.occupancy, eye,
-         { rayDensity, RayPlacement::ForIntegrals, fields.ranks, Readers::Rays, depthAxes }))
+         { rayDensity, RayPlacement::ForIntegrals, Readers::Rays, depthAxes }))
   {
     parts.push_back({ &fields, std::move(frustum) });
   }
@@ -192,12 +215,18 @@ void AddParts(const SweptFields& fields, const Camera& camera, double rayDensity
 }
 
 ViewFields::ViewFields(const Grid& grid, const ViewedFields& viewed)
+  : Here(OrWhole(viewed.piece, grid))
+  , Important(ImportantExtinctionOf(grid, *this->Here, viewed))
 {
-  const auto piece = OrWhole(viewed.piece, grid);
-  const IndexBox box = FilledBox(grid, OccupancyOf(grid, *piece, viewed));
-  const auto make = piece->IsWhole() ? Copy : Share;
+  const IndexBox box = FilledBox(grid, OccupancyOf(grid, *this->Here, viewed));
+  const auto make = this->Here->IsWhole() ? Copy : Share;
   this->Straight = make(grid, viewed, box, Axes::Straight);
   this->Exchanged = make(grid, viewed, box, Axes::Exchanged);
+}
+
+std::string ViewFields::Describe(const std::string& backend) const
+{
+  return NameOnRanks(backend, *this->Here->ranks);
 }
 
 std::vector<ViewFields::Part> ViewFields::PartsOf(const Camera& camera, double rayDensity) const

@@ -11,6 +11,7 @@
 #include "sweep/PlanSweep.h"
 
 #include <memory>
+#include <string>
 #include <vector>
 
 namespace limpid
@@ -21,7 +22,7 @@ struct ViewedFields
   const float* extinction;     ///< >= 0 [1/length]
   const float* importance;     ///< [0, 1]
   const float* base = nullptr; ///< base extinction [1/length]; null if `extinction` is the base
-  std::shared_ptr<const ScenePiece> piece = nullptr; ///< subdomain; null: all nodes
+  std::shared_ptr<const ScenePiece> piece = nullptr; ///< of the arrays; null: all nodes
 
   /// Whether every ray chooses its own extinction between `least` and `extinction`, see
   /// CeilingKernel.
@@ -38,9 +39,8 @@ struct SweptFields
   std::vector<float> importance;
   std::vector<float> base;
   std::vector<float> least;
-  std::unique_ptr<const Occupancy> occupancy;      ///< null if nothing can be seen
-  std::unique_ptr<const FieldLayout> home;         ///< the distribution among ranks; null: copies
-  const Communicator* ranks = ThisProcess().get(); ///< those that share the fields
+  std::unique_ptr<const Occupancy> occupancy; ///< null if nothing can be seen
+  std::unique_ptr<const FieldLayout> home;    ///< the distribution of `values`; null: copies
 };
 
 /**
@@ -53,6 +53,18 @@ class ViewFields
 public:
   /// Copies the fields, except in distributed runs.
   ViewFields(const Grid& grid, const ViewedFields& viewed);
+
+  /// Whether other processes share the fields. Sweeps are then collective.
+  bool AreShared() const { return !this->Here->ranks->IsAlone(); }
+
+  /// Returns whether a condition holds in any process that shares the fields. Collective.
+  bool AnyOf(bool here) const { return this->Here->ranks->AnyOf(here); }
+
+  /// Describes a backend for the user, given the name of what computes in this process.
+  std::string Describe(const std::string& backend) const;
+
+  /// Returns the integral of importance times base extinction [length^2].
+  double ImportantExtinction() const { return this->Important; }
 
   /// Number of nodes along each axis of the box of nonempty voxels; 0 if all voxels are empty.
   const Int3& Nodes() const { return this->Straight.grid.nodes; }
@@ -72,6 +84,8 @@ public:
   std::vector<Part> PartsOf(const Camera& camera, double rayDensity) const;
 
 private:
+  std::shared_ptr<const ScenePiece> Here;
+  double Important;
   SweptFields Straight;
   SweptFields Exchanged;
 };

@@ -4,9 +4,6 @@
 #include "viewpoint/ViewScore.h"
 
 #include "backend/ComputeBackend.h"
-#include "distributed/Neighbourhood.h"
-#include "distributed/Slab.h"
-#include "energy/NodeImportance.h"
 
 #include <algorithm>
 #include <cmath>
@@ -29,50 +26,24 @@ double DensityOf(const Int3& nodes, double atLeast)
 }
 }
 
-namespace
-{
-/// Sums over all ranks; rows of slabs are complete.
-double ImportantExtinctionOf(const Grid& grid, const ViewedFields& viewed)
-{
-  const float* base = viewed.base ? viewed.base : viewed.extinction;
-  const auto piece = OrWhole(viewed.piece, grid);
-  const std::vector<NodeBox> slabs = EvenSlabs(*piece->ranks, grid.nodes);
-  const auto rank = std::size_t(piece->ranks->Rank());
-  const NodeBox own = slabs[rank];
-  const std::vector<NodeBox> wanted = WithGhosts(slabs, 1, grid.nodes);
-  const FieldInBox bases = FieldIn(*piece, wanted, base);
-  const FieldInBox importances = FieldIn(*piece, wanted, viewed.importance);
-  std::vector<double> rows(std::size_t(grid.nodes.y) * std::size_t(grid.nodes.z), 0.0);
-  if (!own.Empty())
-  {
-    FillRowsOfImportantExtinction(
-      grid, wanted[rank].along[2], own.along[2], bases.Data(), importances.Data(), rows.data());
-  }
-  piece->ranks->Gather(rows.data(), rows.size());
-  return SumOfRows(grid, rows);
-}
-}
-
 ViewScore::ViewScore(
   const Grid& grid, const ViewedFields& viewed, double rayDensity, BackendKind backend)
-  : All(OrWhole(viewed.piece, grid)->ranks)
-  , Fields(std::make_unique<ViewFields>(grid, viewed))
+  : Fields(std::make_unique<ViewFields>(grid, viewed))
   , RayDensity(DensityOf(this->Fields->Nodes(), rayDensity))
-  , Important(ImportantExtinctionOf(grid, viewed))
 {
   // Memory for two copies of the fields; the rays of a direction need little.
   const Index nodes = this->Fields->InOrder().grid.NodeCount();
   const std::size_t fields = (viewed.base ? 3 : 2) + (viewed.least ? 1 : 0);
   const BackendChoice choice =
     ChooseBackend(backend, { nodes, 2 * fields * sizeof(float) * static_cast<std::size_t>(nodes) });
-  this->Name = NameOnRanks(choice.name, *this->All);
+  this->Name = this->Fields->Describe(choice.name);
   this->Sweep = BackendOf(choice.cuda).MakeScoreSweep(*this->Fields);
 }
 
 Score ViewScore::At(const Camera& camera) const
 {
-  return ScoreOf(
-    this->Sweep->See(this->Fields->PartsOf(camera, this->RayDensity)), this->Important);
+  return ScoreOf(this->Sweep->See(this->Fields->PartsOf(camera, this->RayDensity)),
+    this->Fields->ImportantExtinction());
 }
 
 /// Computes the slope by differences between cameras on either side, on the sphere around the

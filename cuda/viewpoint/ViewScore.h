@@ -31,8 +31,8 @@ struct ViewSlope
  * what an optimisation could show there, at the cost of a score. Its slope is computed from four
  * more scores.
  *
- * In distributed runs the fields of the ranks' subdomains must outlive this object. Scores are
- * collective, and every rank gets the result.
+ * Fields that processes share must outlive this object. Scores are then collective, and every
+ * process gets the result.
  */
 class ViewScore
 {
@@ -43,13 +43,9 @@ public:
   /// Describes the backend for the user.
   const std::string& BackendName() const { return this->Name; }
 
-  /// Whether several ranks share the fields.
-  bool IsShared() const { return !this->All->IsAlone(); }
+  const ViewFields& Seen() const { return *this->Fields; }
 
-  /// Returns whether a condition holds on any rank. Collective.
-  bool AnyOf(bool here) const { return this->All->AnyOf(here); }
-
-  /// Thread-safe, except in distributed runs.
+  /// Thread-safe, unless processes share the fields.
   Score At(const Camera& camera) const;
 
   /// Returns S, from more samples at a `rayDensity` of two and more, and its derivative by the
@@ -59,10 +55,8 @@ public:
 private:
   ViewSlope DifferenceAt(const Camera& camera) const;
 
-  std::shared_ptr<const Communicator> All;
   std::unique_ptr<const ViewFields> Fields; ///< at a fixed address, even if this object moves
   double RayDensity;
-  double Important; ///< the integral of importance times base extinction [length^2]
   std::string Name;
   std::unique_ptr<ScoreSweep> Sweep;
 };

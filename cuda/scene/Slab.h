@@ -1,18 +1,14 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-#ifndef limpid_distributed_Slab_h
-#define limpid_distributed_Slab_h
+#ifndef limpid_scene_Slab_h
+#define limpid_scene_Slab_h
 
-#include "distributed/Communicator.h"
 #include "scene/NodeBox.h"
-
-#include <vector>
 
 namespace limpid
 {
-/// Whole slices of a grid along its last axis, which are contiguous in memory: a rank's share of
-/// work on voxels that needs no rays.
+/// Whole slices of a grid along its last axis, which are contiguous in memory.
 struct Slab
 {
   Int3 nodes; ///< of the whole grid
@@ -31,13 +27,6 @@ struct Slab
     return box;
   }
 };
-
-/// Returns one slab per rank. Together they are the grid; their numbers of slices differ by at most
-/// one.
-std::vector<NodeBox> EvenSlabs(const Communicator& ranks, const Int3& nodes);
-
-/// Returns the slab of this rank.
-Slab OwnSlab(const Communicator& ranks, const Int3& nodes);
 }
 
 #endif

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "distributed/Slab.h"
+#include "distributed/EvenSlabs.h"
 
 namespace limpid
 {
