@@ -141,7 +141,7 @@ nb::dict Optimize(const Grid& grid, const Field& extinction, const Field& import
       forCamera = taken[0].Take();
       forLight = taken[1].Take();
     });
-  if (!change.Empty())
+  if (!change.ofExtinction.empty())
   {
     results["change"] = std::move(change);
   }
