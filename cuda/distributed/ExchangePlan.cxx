@@ -100,57 +100,45 @@ void ExchangePlan::ForRows(const WithRank& passing, const What& what) const
   }
 }
 
-/// Returns one message for each rank with which values are exchanged, and allocates its values.
-std::vector<Communicator::Message> ExchangePlan::MessagesOf(
-  const std::vector<WithRank>& passing, std::size_t fields, std::vector<std::vector<float>>& values)
-{
-  values.resize(std::max(values.size(), passing.size()));
-  std::vector<Communicator::Message> messages;
-  for (std::size_t rank = 0; rank < passing.size(); ++rank)
-  {
-    const std::size_t count = fields * passing[rank].count;
-    if (count > 0)
-    {
-      values[rank].resize(std::max(values[rank].size(), count));
-      messages.push_back({ static_cast<int>(rank), values[rank].data(), count * sizeof(float) });
-    }
-  }
-  return messages;
-}
-
 void ExchangePlan::Bring(const std::vector<Field>& fields) const
 {
-  ExchangeBuffers& room = *this->Room;
-  const std::vector<Communicator::Message> sent = MessagesOf(this->Sent, fields.size(), room.sent);
-  const std::vector<Communicator::Message> received =
-    MessagesOf(this->Received, fields.size(), room.received);
-  for (std::size_t rank = 0; rank < this->Sent.size(); ++rank)
+  const auto bytesOf = [&fields](const std::vector<WithRank>& passing)
   {
-    float* next = room.sent[rank].data();
-    this->ForRows(this->Sent[rank],
-      [&](const Int3& first, int count)
-      {
-        for (const Field& field : fields)
+    std::vector<std::size_t> bytes;
+    for (const WithRank& some : passing)
+    {
+      bytes.push_back(fields.size() * some.count * sizeof(float));
+    }
+    return bytes;
+  };
+  ExchangePacked(
+    *this->All, bytesOf(this->Sent), bytesOf(this->Received), *this->Room,
+    [&](std::size_t rank, std::byte* buffer)
+    {
+      auto* next = reinterpret_cast<float*>(buffer);
+      this->ForRows(this->Sent[rank],
+        [&](const Int3& first, int count)
         {
-          RowInField(field.from, first, this->Axis).CopyTo(next, count);
-          next += count;
-        }
-      });
-  }
-  this->All->Exchange(sent, received);
-  for (std::size_t rank = 0; rank < this->Received.size(); ++rank)
-  {
-    const float* next = room.received[rank].data();
-    this->ForRows(this->Received[rank],
-      [&](const Int3& first, int count)
-      {
-        for (const Field& field : fields)
+          for (const Field& field : fields)
+          {
+            RowInField(field.from, first, this->Axis).CopyTo(next, count);
+            next += count;
+          }
+        });
+    },
+    [&](std::size_t rank, const std::byte* buffer)
+    {
+      const auto* next = reinterpret_cast<const float*>(buffer);
+      this->ForRows(this->Received[rank],
+        [&](const Int3& first, int count)
         {
-          RowInField(field.to, first, this->Axis).CopyFrom(next, count);
-          next += count;
-        }
-      });
-  }
+          for (const Field& field : fields)
+          {
+            RowInField(field.to, first, this->Axis).CopyFrom(next, count);
+            next += count;
+          }
+        });
+    });
   for (const Field& field : fields)
   {
     if (!field.from.IsSameAs(field.to))

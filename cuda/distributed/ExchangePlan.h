@@ -4,7 +4,7 @@
 #ifndef limpid_distributed_ExchangePlan_h
 #define limpid_distributed_ExchangePlan_h
 
-#include "distributed/Communicator.h"
+#include "distributed/PackedExchange.h"
 #include "scene/FieldView.h"
 
 #include <cstddef>
@@ -13,13 +13,6 @@
 
 namespace limpid
 {
-/// Message buffers, to be reused by consecutive exchanges.
-struct ExchangeBuffers
-{
-  std::vector<std::vector<float>> sent;     ///< [rank]
-  std::vector<std::vector<float>> received; ///< [rank]
-};
-
 /**
  * An exchange plan: redistributes fields from the nodes that each rank has to the nodes that each
  * rank needs. Build it once for fields that are exchanged often.
@@ -72,8 +65,6 @@ private:
   WithRank Between(const Region& had, const Region& needed) const;
   template <class What>
   void ForRows(const WithRank& passing, const What& what) const;
-  static std::vector<Communicator::Message> MessagesOf(const std::vector<WithRank>& passing,
-    std::size_t fields, std::vector<std::vector<float>>& values);
 
   const Communicator* All;
   const Occupancy* Filled;

@@ -4,6 +4,7 @@
 #include "render/PartialPicture.h"
 
 #include "backend/Backend.h"
+#include "distributed/PackedExchange.h"
 #include "math/Range.h"
 #include "render/Segment.h"
 
@@ -21,38 +22,21 @@ Range<Index> PixelsOf(const Communicator& ranks, int rank, Index count)
   return { count * rank / ranks.Size(), count * (rank + 1) / ranks.Size() };
 }
 
-/// Values of all ranks for a range of pixels, rank by rank.
-template <class Value>
-using OfRanks = std::vector<std::vector<Value>>;
-
-/// Exchanges values: each rank sends a range to each other rank.
-template <class Value>
-OfRanks<Value> Exchanged(const Communicator& ranks, OfRanks<Value>& sent, OfRanks<Value>&& room)
+/// Returns the sizes of messages with values, one for each other rank.
+template <class Value, class CountFor>
+std::vector<std::size_t> BytesOf(const Communicator& ranks, const CountFor& countFor)
 {
-  std::vector<Communicator::Message> out;
-  std::vector<Communicator::Message> in;
-  const auto add =
-    [](std::vector<Communicator::Message>& messages, int rank, std::vector<Value>& values)
-  {
-    if (!values.empty())
-    {
-      messages.push_back({ rank, values.data(), values.size() * sizeof(Value) });
-    }
-  };
+  std::vector<std::size_t> bytes(std::size_t(ranks.Size()), 0);
   for (int rank = 0; rank < ranks.Size(); ++rank)
   {
-    const auto other = std::size_t(rank);
-    if (rank == ranks.Rank())
-    {
-      room[other] = std::move(sent[other]);
-      continue;
-    }
-    add(out, rank, sent[other]);
-    add(in, rank, room[other]);
+    const bool isOther = rank != ranks.Rank();
+    bytes[std::size_t(rank)] = isOther ? std::size_t(countFor(rank)) * sizeof(Value) : 0;
   }
-  ranks.Exchange(out, in);
-  return std::move(room);
+  return bytes;
 }
+
+/// The values of a range of pixels, rank by rank.
+using PartsOfRanks = std::vector<const PartialPixel*>;
 
 struct ComposedPixel
 {
@@ -60,8 +44,8 @@ struct ComposedPixel
   std::int32_t foremost; ///< see Picture
 };
 
-ComposedPixel ComposeOne(const OfRanks<PartialPixel>& parts, std::size_t pixel, float opaqueBelow,
-  std::vector<std::size_t>& order)
+ComposedPixel ComposeOne(
+  const PartsOfRanks& parts, std::size_t pixel, float opaqueBelow, std::vector<std::size_t>& order)
 {
   order.clear();
   for (std::size_t rank = 0; rank < parts.size(); ++rank)
@@ -97,21 +81,23 @@ void Compose(const DrawnPart& drawn, const std::vector<PartialPixel>& parts, dou
   Picture& picture)
 {
   const Communicator& ranks = *drawn.Piece()->ranks;
-  const auto count = static_cast<Index>(parts.size());
-  const auto size = static_cast<std::size_t>(ranks.Size());
-  const Range<Index> own = PixelsOf(ranks, ranks.Rank(), count);
-  OfRanks<PartialPixel> sent(size);
-  OfRanks<PartialPixel> room(size);
-  OfRanks<ComposedPixel> shown(size);
-  for (int rank = 0; rank < ranks.Size(); ++rank)
-  {
-    const auto other = std::size_t(rank);
-    const Range<Index> pixels = PixelsOf(ranks, rank, count);
-    sent[other].assign(parts.begin() + pixels.begin, parts.begin() + pixels.end);
-    room[other].resize(std::size_t(own.Length()));
-    shown[other].resize(std::size_t(pixels.Length()));
-  }
-  const OfRanks<PartialPixel> there = Exchanged(ranks, sent, std::move(room));
+  const auto pixelsOf = [&](int rank) { return PixelsOf(ranks, rank, Index(parts.size())); };
+  const Range<Index> own = pixelsOf(ranks.Rank());
+  const auto countOf = [&](int rank) { return pixelsOf(rank).Length(); };
+  const auto ownCount = [&](int) { return own.Length(); };
+  PartsOfRanks there(std::size_t(ranks.Size()), parts.data() + own.begin);
+  ExchangeBuffers room;
+  ExchangePacked(
+    ranks, BytesOf<PartialPixel>(ranks, countOf), BytesOf<PartialPixel>(ranks, ownCount), room,
+    [&](std::size_t rank, std::byte* buffer)
+    {
+      const Range<Index> pixels = pixelsOf(int(rank));
+      std::memcpy(
+        buffer, parts.data() + pixels.begin, std::size_t(pixels.Length()) * sizeof(PartialPixel));
+    },
+    [&](std::size_t rank, const std::byte* buffer)
+    { there[rank] = reinterpret_cast<const PartialPixel*>(buffer); });
+
   std::vector<ComposedPixel> composed(std::size_t(own.Length()));
   constexpr Index pixelsPerTask = 4096;
   const Index tasks = (own.Length() + pixelsPerTask - 1) / pixelsPerTask;
@@ -126,18 +112,24 @@ void Compose(const DrawnPart& drawn, const std::vector<PartialPixel>& parts, dou
           ComposeOne(there, std::size_t(pixel), static_cast<float>(opaqueBelow), order);
       }
     });
-  OfRanks<ComposedPixel> forAll(size, composed);
-  shown = Exchanged(ranks, forAll, std::move(shown));
-  std::uint8_t* color = picture.rgba.data();
-  std::int32_t* foremost = picture.foremost.data();
-  for (const std::vector<ComposedPixel>& some : shown)
+
+  const auto show = [&picture](const Range<Index>& pixels, const ComposedPixel* shown)
   {
-    for (const ComposedPixel& pixel : some)
+    for (Index pixel = pixels.begin; pixel < pixels.end; ++pixel, ++shown)
     {
-      std::memcpy(color, &pixel.color, sizeof(Rgba));
-      color += sizeof(Rgba);
-      *foremost++ = pixel.foremost;
+      std::memcpy(
+        picture.rgba.data() + sizeof(Rgba) * std::size_t(pixel), &shown->color, sizeof(Rgba));
+      picture.foremost[std::size_t(pixel)] = shown->foremost;
     }
-  }
+  };
+  show(own, composed.data());
+  ExchangeBuffers roomForAll;
+  ExchangePacked(
+    ranks, BytesOf<ComposedPixel>(ranks, ownCount), BytesOf<ComposedPixel>(ranks, countOf),
+    roomForAll,
+    [&](std::size_t, std::byte* buffer)
+    { std::memcpy(buffer, composed.data(), composed.size() * sizeof(ComposedPixel)); },
+    [&](std::size_t rank, const std::byte* buffer)
+    { show(pixelsOf(int(rank)), reinterpret_cast<const ComposedPixel*>(buffer)); });
 }
 }

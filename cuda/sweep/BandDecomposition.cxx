@@ -3,9 +3,11 @@
 
 #include "sweep/BandDecomposition.h"
 
+#include "distributed/PackedExchange.h"
 #include "sweep/SliceWindow.h"
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 namespace limpid
@@ -235,73 +237,57 @@ void AddSegment(const RayValues& values, Index beginOfRow, const Range<int>& col
   }
 }
 
-/// A message to a rank or from it.
-struct Parcel
-{
-  int rank;
-  std::vector<Segment> segments;
-  std::vector<std::byte> values;
-};
+using Segments = std::vector<Segment>;
 
-std::vector<Communicator::Message> MessagesOf(std::vector<Parcel>& parcels)
+std::vector<std::size_t> BytesOf(const std::vector<Segments>& messages)
 {
-  std::vector<Communicator::Message> messages;
-  for (Parcel& parcel : parcels)
+  std::vector<std::size_t> bytes;
+  bytes.reserve(messages.size());
+  for (const Segments& message : messages)
   {
-    std::size_t bytes = 0;
-    for (const Segment& segment : parcel.segments)
-    {
-      bytes += segment.bytes;
-    }
-    parcel.values.resize(bytes);
-    if (bytes > 0)
-    {
-      messages.push_back({ parcel.rank, parcel.values.data(), bytes });
-    }
+    bytes.push_back(std::accumulate(message.begin(), message.end(), std::size_t(0),
+      [](std::size_t sum, const Segment& segment) { return sum + segment.bytes; }));
   }
-  return messages;
+  return bytes;
 }
 }
 
-/// `add`: appends the values of a row to `segments`.
+/// `add`: appends the values of a row to the segments of a message.
 template <class Add>
 void BandDecomposition::Exchange(const OnSlice& passing, const Add& add) const
 {
-  const auto parcelsOf = [&add](const std::vector<RowMessage>& all)
+  const auto messagesOf = [&](const std::vector<RowMessage>& all)
   {
-    std::vector<Parcel> parcels;
+    std::vector<Segments> messages(std::size_t(this->All->Size()));
     for (const RowMessage& some : all)
     {
-      parcels.push_back({ some.rank, {}, {} });
       for (int row = some.rows.begin; row < some.rows.end; ++row)
       {
-        add(row, parcels.back().segments);
+        add(row, messages[std::size_t(some.rank)]);
       }
     }
-    return parcels;
+    return messages;
   };
-  std::vector<Parcel> sent = parcelsOf(passing.sent);
-  std::vector<Parcel> received = parcelsOf(passing.received);
-  const std::vector<Communicator::Message> out = MessagesOf(sent);
-  const std::vector<Communicator::Message> in = MessagesOf(received);
-  for (Parcel& parcel : sent)
-  {
-    std::byte* next = parcel.values.data();
-    for (const Segment& segment : parcel.segments)
+  const std::vector<Segments> sent = messagesOf(passing.sent);
+  const std::vector<Segments> received = messagesOf(passing.received);
+  ExchangeBuffers room;
+  ExchangePacked(
+    *this->All, BytesOf(sent), BytesOf(received), room,
+    [&sent](std::size_t rank, std::byte* next)
     {
-      next = std::copy_n(segment.first, segment.bytes, next);
-    }
-  }
-  this->All->Exchange(out, in);
-  for (const Parcel& parcel : received)
-  {
-    const std::byte* next = parcel.values.data();
-    for (const Segment& segment : parcel.segments)
+      for (const Segment& segment : sent[rank])
+      {
+        next = std::copy_n(segment.first, segment.bytes, next);
+      }
+    },
+    [&received](std::size_t rank, const std::byte* next)
     {
-      std::copy_n(next, segment.bytes, segment.first);
-      next += segment.bytes;
-    }
-  }
+      for (const Segment& segment : received[rank])
+      {
+        std::copy_n(next, segment.bytes, segment.first);
+        next += segment.bytes;
+      }
+    });
 }
 
 void BandDecomposition::PassRays(int from, int to, const std::vector<RayValues>& carried) const
