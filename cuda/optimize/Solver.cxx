@@ -54,7 +54,7 @@ bool Solver::Step(int iterations, const Progress& progress)
   state.stopped = false;
   for (int i = 0; i < iterations && !state.done; ++i)
   {
-    state.OnBackend([&] { state.Advance(progress); });
+    state.OnBackend([&] { state.Iterate(progress); });
     if (state.stopped)
     {
       break;

@@ -123,7 +123,7 @@ struct Solver::Internals
       this->Begin();
       while (!this->done && this->iterations < made)
       {
-        this->Advance(Progress());
+        this->Iterate(Progress());
       }
       if (wasDone && !this->done)
       {
@@ -134,17 +134,6 @@ struct Solver::Internals
     };
     return this->prepared->Together(
       [&]() -> decltype(auto) { return this->backend.Do(work, restore); });
-  }
-
-  /// Performs the next iteration or ends the run.
-  void Advance(const Progress& progress)
-  {
-    if (!this->minimizer || this->RunIsOver())
-    {
-      this->FinishRun();
-      return;
-    }
-    this->Iterate(progress);
   }
 
   Problem MakeProblem() const
@@ -340,12 +329,43 @@ struct Solver::Internals
     return record;
   }
 
+  /// Performs the next iteration or ends the run.
   void Iterate(const Progress& progress)
   {
+    if (!this->minimizer || this->RunIsOver())
+    {
+      this->FinishRun();
+      return;
+    }
     const auto start = std::chrono::steady_clock::now();
     IterationRecord record = this->NextRecord();
     const bool better =
       record.isResult || (record.level == 0 && record.energy.Total() < this->runLowest);
+    this->SetScore(record, better);
+    ++this->iterations;
+    this->seconds +=
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    record.iteration = this->iterations;
+    record.seconds = this->seconds;
+    this->history.push_back(record);
+    if (better)
+    {
+      this->KeepAsBest(record);
+    }
+    this->stopped =
+      this->prepared->AnyOf(progress && !progress(this->Share(), this->Describe(record)));
+    const bool late = this->prepared->AnyOf(
+      this->settings.maximumSeconds > 0 && this->seconds >= this->settings.maximumSeconds);
+    if (this->stopped || late || this->RunIsOver())
+    {
+      this->FinishRun();
+    }
+  }
+
+  /// Sets the score of an iterate whose iteration has not measured it. `better`: whether it is the
+  /// best so far.
+  void SetScore(IterationRecord& record, bool better) const
+  {
     if (!this->Minimizes() && !this->lightRun)
     {
       this->Judged(record);
@@ -356,30 +376,17 @@ struct Solver::Internals
       record.score =
         isKnown ? this->history.back().score : this->ScoreOfIterate(this->minimizer->Best().data());
     }
-    ++this->iterations;
-    this->seconds +=
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    record.iteration = this->iterations;
-    record.seconds = this->seconds;
-    this->history.push_back(record);
-    if (better)
-    {
-      this->runLowest = record.energy.Total();
-      this->hasBetter = true;
-    }
-    if (better && !this->lightRun)
+  }
+
+  void KeepAsBest(const IterationRecord& record)
+  {
+    this->runLowest = record.energy.Total();
+    this->hasBetter = true;
+    if (!this->lightRun)
     {
       this->bestEnergy = record.energy;
       const bool tells = this->KnowsScores() && (!this->Minimizes() || this->SamplesAsScores());
       this->best = tells ? std::optional<Score>(record.score) : std::nullopt;
-    }
-    this->stopped =
-      this->prepared->AnyOf(progress && !progress(this->Share(), this->Describe(record)));
-    const bool late = this->prepared->AnyOf(
-      this->settings.maximumSeconds > 0 && this->seconds >= this->settings.maximumSeconds);
-    if (this->stopped || late || this->RunIsOver())
-    {
-      this->FinishRun();
     }
   }
 
