@@ -16,9 +16,9 @@
 
 namespace limpid
 {
-/// The most references beside the base extinction that kernels take at a time: that of temporal
-/// coherence, and the last iterate. A further reference needs one more.
-constexpr std::size_t mostReferences = 2;
+/// The most references beside the base extinction that kernels take at a time: one per further
+/// term of the energy, and the last iterate.
+constexpr std::size_t mostReferences = furtherTerms + 1;
 
 /// Returns a summand of the energy. A function, since nvcc cannot declare pointers to members
 /// without warnings.

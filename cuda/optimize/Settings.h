@@ -11,6 +11,7 @@
 #include "scene/RaySource.h"
 
 #include <array>
+#include <cstddef>
 #include <functional>
 #include <string>
 #include <vector>
@@ -135,6 +136,9 @@ struct Energy
   double coherence = 0;      ///< F_t, Documentation/Deviations.md, D20
   double Total() const { return regularization + view + light + coherence; }
 };
+
+/// Number of terms beside those of Eq. (21). All of them are pulls.
+constexpr std::size_t furtherTerms = sizeof(Energy) / sizeof(double) - 3;
 
 /// The result of an iteration.
 struct IterationRecord
