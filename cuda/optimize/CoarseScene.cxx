@@ -12,21 +12,17 @@ namespace limpid
 {
 namespace
 {
-std::vector<float> Restricted(const PreparedScene& scene, const float* field, const Grid& grid)
+/// `most`: upper bound of the values.
+std::vector<float> Restricted(
+  const PreparedScene& scene, const float* field, float most, const Grid& grid)
 {
-  return ResampledForAll(scene.Piece(), scene.Nodes(), field, grid);
-}
-
-std::vector<float> RestrictedImportance(
-  const PreparedScene& scene, const float* importance, const Grid& grid)
-{
-  std::vector<float> coarse = Restricted(scene, importance, grid);
-  // Rounding may make a mean of numbers up to 1 exceed 1.
+  std::vector<float> coarse = ResampledForAll(scene.Piece(), scene.Nodes(), field, grid);
+  // Rounding may make a mean exceed the bound.
   ParallelFor(grid.NodeCount(), 65536,
-    [&coarse](Index node)
+    [&coarse, most](Index node)
     {
       float& value = coarse[std::size_t(node)];
-      value = std::min(value, 1.0f);
+      value = std::min(value, most);
     });
   return coarse;
 }
@@ -61,20 +57,26 @@ CoarseScene::CoarseScene(
     this->Scene = fine;
     return;
   }
-  const SceneFields& from = fine->Arrays();
-  this->Base = Restricted(*fine, from.baseExtinction, grid);
-  this->Importance = RestrictedImportance(*fine, from.importance, grid);
-  if (smoothing == ImportanceSmoothing::Median)
-  {
-    this->Despeckled = RestrictedImportance(*fine, fine->ImportanceFor(smoothing), grid);
-  }
-  this->Scene =
-    std::make_shared<PreparedScene>(SceneFields{ grid, this->Base.data(), this->Importance.data(),
-      from.majorant, this->Despeckled.empty() ? nullptr : this->Despeckled.data() });
+  SceneFields fields = fine->Arrays();
+  fields.grid = grid;
+  fields.piece = nullptr;
+  fields.despeckled =
+    smoothing == ImportanceSmoothing::Median ? fine->ImportanceFor(smoothing) : nullptr;
+  fields.ForEachField(
+    [&](const float*& field, float most)
+    {
+      if (fine->Piece().ranks->AnyOf(field != nullptr)) // an empty subdomain has none
+      {
+        this->Values.push_back(Restricted(*fine, field, most, grid));
+        field = this->Values.back().data();
+      }
+    });
+  this->Scene = std::make_shared<PreparedScene>(fields);
 }
 
 bool CoarseScene::Supports(ImportanceSmoothing smoothing) const
 {
-  return smoothing == ImportanceSmoothing::Off || this->Base.empty() || !this->Despeckled.empty();
+  return smoothing == ImportanceSmoothing::Off || this->Values.empty() ||
+    this->Scene->Arrays().despeckled;
 }
 }

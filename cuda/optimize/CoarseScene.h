@@ -29,10 +29,8 @@ public:
   const std::shared_ptr<PreparedScene>& Prepared() const { return this->Scene; }
 
 private:
-  std::vector<float> Base;
-  std::vector<float> Importance;
-  std::vector<float> Despeckled;        ///< empty if not needed
-  std::shared_ptr<PreparedScene> Scene; ///< the fine one if it has the same grid
+  std::vector<std::vector<float>> Values; ///< of its fields; none if it has those of the fine scene
+  std::shared_ptr<PreparedScene> Scene;   ///< the fine one if it has the same grid
 };
 }
 

@@ -17,8 +17,6 @@ namespace limpid
 {
 namespace
 {
-constexpr float LargestValue = 3e38f; // largest valid extinction
-
 void RequireFields(const SceneFields& scene)
 {
   scene.grid.Require();
@@ -26,7 +24,7 @@ void RequireFields(const SceneFields& scene)
     "There is no base extinction (the optimisation starts from it). Give an array.");
   LIMPID_REQUIRE(scene.importance != nullptr || scene.ValueCount() == 0,
     "There is no importance (it defines which structures to reveal). Give an array.");
-  LIMPID_REQUIRE(scene.majorant >= 0 && scene.majorant <= LargestValue,
+  LIMPID_REQUIRE(scene.majorant >= 0 && scene.majorant <= mostExtinction,
     "The majorant is " << scene.majorant
                        << " (Eq. (25) needs an upper bound of the extinction). Give the largest "
                           "extinction of the transfer function, or 0 for that of the scene.");
@@ -158,7 +156,7 @@ PreparedScene::PreparedScene(const SceneFields& given)
   this->OfArrays = GridOf(*scene.piece, scene.grid);
   const Communicator& ranks = *scene.piece->ranks;
   RequireOnAllRanks(ranks, [&] { RequireFields(scene); });
-  const CheckedField extinction{ scene.baseExtinction, LargestValue, "base extinction",
+  const CheckedField extinction{ scene.baseExtinction, mostExtinction, "base extinction",
     "finite and not negative" };
   const CheckedField importance{ scene.importance, 1, "importance", "between 0 and 1" };
   SceneSurvey found = Survey(scene, extinction.most, importance.values);
@@ -200,7 +198,7 @@ PreparedScene::Important& PreparedScene::ImportantFor(ImportanceSmoothing smooth
       made->own = DespeckledImportance(scene);
       made->values = made->own.Data();
     }
-    SceneSurvey found = Survey(scene, LargestValue, made->values);
+    SceneSurvey found = Survey(scene, mostExtinction, made->values);
     made->ofNodes = std::move(found.nodeImportance);
     made->occupancy = std::move(found.occupancy);
     this->Despeckled = std::move(made);

@@ -11,6 +11,8 @@
 
 namespace limpid
 {
+constexpr float mostExtinction = 3e38f; ///< largest valid extinction [1/length]
+
 /// The fields of a scene. The caller owns the arrays and keeps them while a solver uses them.
 struct SceneFields
 {
@@ -30,6 +32,15 @@ struct SceneFields
   /// This rank's subdomain of a distributed scene: the arrays hold the values of its nodes only,
   /// first axis fastest. Null if they hold all nodes.
   std::shared_ptr<const ScenePiece> piece = nullptr;
+
+  /// Calls visit(field, most) for the pointer to every field, with the upper bound of its values.
+  template <class Visitor>
+  void ForEachField(const Visitor& visit)
+  {
+    visit(this->baseExtinction, mostExtinction);
+    visit(this->importance, 1.0f);
+    visit(this->despeckled, 1.0f);
+  }
 
   /// Number of values in the arrays.
   Index ValueCount() const
