@@ -61,6 +61,11 @@ ImagePlacement PlacementOf(vtkImageData* image, const int extent[6]);
 /// Returns the grid of an extent whose first point has this placement.
 Grid GridOfExtent(const int extent[6], const ImagePlacement& placement);
 
+/// Returns the array of the points or the cells with a name; null: there is none. `association`:
+/// one of vtkDataObject, such as FIELD_ASSOCIATION_POINTS_THEN_CELLS.
+VTKLIMPIDFILTERS_EXPORT FieldSource FindField(
+  vtkImageData* image, const std::string& name, int association);
+
 /// Returns a field at the points of the image; NaN where it has no finite value.
 VTKLIMPIDFILTERS_EXPORT vtkSmartPointer<vtkFloatArray> ConvertField(
   vtkImageData* image, const FieldSource& source, const char* name);

@@ -8,9 +8,7 @@
 #include "SettingsConversion.h"
 #include "SharedArray.h"
 
-#include "vtkCellData.h"
 #include "vtkDataArray.h"
-#include "vtkDataSetAttributes.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -314,25 +312,19 @@ std::string vtkVisibilityAlgorithm::SceneReader::ChosenName(int index) const
 limpid::FieldSource vtkVisibilityAlgorithm::SceneReader::FindArray(
   int index, const char* fallback, vtkImageData* input) const
 {
-  limpid::FieldSource source;
-  vtkDataSetAttributes* points = input->GetPointData();
-  if (!this->ChosenName(index).empty())
+  const std::string chosen = this->ChosenName(index);
+  if (!chosen.empty())
   {
-    int association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
-    source.array = this->Self->GetInputArrayToProcess(index, input, association);
-    source.onCells = source.array &&
-      (association == vtkDataObject::FIELD_ASSOCIATION_CELLS ||
-        (association == vtkDataObject::FIELD_ASSOCIATION_POINTS_THEN_CELLS &&
-          points->GetArray(source.array->GetName()) != source.array));
-    return source;
+    vtkInformation* information = this->Self->GetInputArrayInformation(index);
+    return limpid::FindField(input, chosen, information->Get(vtkDataObject::FIELD_ASSOCIATION()));
   }
-  source.array = fallback ? points->GetArray(fallback) : points->GetScalars();
-  if (!source.array && fallback)
+  if (fallback)
   {
-    source.array = input->GetCellData()->GetArray(fallback);
-    source.onCells = source.array != nullptr;
+    return limpid::FindField(input, fallback, vtkDataObject::FIELD_ASSOCIATION_POINTS_THEN_CELLS);
   }
-  return source;
+  limpid::FieldSource active;
+  active.array = input->GetPointData()->GetScalars();
+  return active;
 }
 
 limpid::FieldSource vtkVisibilityAlgorithm::SceneReader::RequireArray(

@@ -11,7 +11,6 @@
 #include "SharedArray.h"
 #include "SharedView.h"
 
-#include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDataObject.h"
 #include "vtkImageData.h"
@@ -19,7 +18,6 @@
 #include "vtkPiecewiseFunction.h"
 #include "vtkPlane.h"
 #include "vtkPlaneCollection.h"
-#include "vtkPointData.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkVolume.h"
@@ -53,23 +51,6 @@ void RequirePositive(const char* property, double value)
 {
   LIMPID_REQUIRE(value > 0 && std::isfinite(value),
     property << " is " << value << " (it must be finite and positive). Set a number above zero.");
-}
-
-// Finds an array and its association; null: there is none of that name.
-void FindArray(
-  vtkImageData* image, const std::string& name, int association, limpid::FieldSource& source)
-{
-  const bool both = association == vtkDataObject::FIELD_ASSOCIATION_POINTS_THEN_CELLS;
-  source.array = nullptr;
-  if (both || association == vtkDataObject::FIELD_ASSOCIATION_POINTS)
-  {
-    source.array = image->GetPointData()->GetArray(name.c_str());
-  }
-  source.onCells = !source.array;
-  if (!source.array && (both || association == vtkDataObject::FIELD_ASSOCIATION_CELLS))
-  {
-    source.array = image->GetCellData()->GetArray(name.c_str());
-  }
 }
 }
 
@@ -125,14 +106,14 @@ limpid::FieldSource vtkTransmittanceVolumeMapper::Internals::ScalarSource(
 limpid::FieldSource vtkTransmittanceVolumeMapper::Internals::ExtinctionSource(
   vtkImageData* image) const
 {
-  limpid::FieldSource source;
   if (this->Self->ExtinctionSource != ARRAY)
   {
-    return source;
+    return {};
   }
   const std::string& given = this->Self->ExtinctionArray;
   const std::string name = given.empty() ? "Extinction" : given;
-  FindArray(image, name, this->Self->ExtinctionArrayAssociation, source);
+  const limpid::FieldSource source =
+    limpid::FindField(image, name, this->Self->ExtinctionArrayAssociation);
   LIMPID_REQUIRE(source.array,
     "The extinction array \"" << name
                               << "\" is not among the input's numeric arrays (there is nothing to "
@@ -151,10 +132,8 @@ limpid::FieldSource vtkTransmittanceVolumeMapper::Internals::GivenImportance(
   vtkImageData* image) const
 {
   const std::string& given = this->Self->ImportanceArray;
-  limpid::FieldSource source;
-  FindArray(
-    image, given.empty() ? "Importance" : given, this->Self->ImportanceArrayAssociation, source);
-  return source;
+  return limpid::FindField(
+    image, given.empty() ? "Importance" : given, this->Self->ImportanceArrayAssociation);
 }
 
 limpid::ImportanceChoice vtkTransmittanceVolumeMapper::Internals::ChooseImportance(
