@@ -13,15 +13,17 @@ import vtkmodules.vtkRenderingVolume  # noqa: F401
 from limpid.vtkLimpidRendering import vtkTransmittanceVolumeMapper as Mapper
 
 XML = os.path.join(os.environ["LIMPID_XML"], "LimpidRepresentations.xml")
-# Of the representation itself; and the arrays, whose choice is ParaView's.
-NOT_OF_THE_MAPPER = {"ShowScore", "ScoreInScreenshots", "ImportanceArray", "ExtinctionArray"}
+# Of the representation itself.
+NOT_OF_THE_MAPPER = {"ShowScore", "ScoreInScreenshots"}
 
 
 def properties():
-    """Those that are set, but for functions and buttons."""
+    """Those that are set, but for functions, buttons, and arrays, whose choice is ParaView's."""
     proxy = ElementTree.parse(XML).getroot().find(".//OptimizedVolumeRepresentationProxy")
     return [element for element in proxy if element.get("command") and
-            element.tag.endswith("VectorProperty") and not element.get("information_only") and element.get("name") not in NOT_OF_THE_MAPPER]
+            element.tag.endswith("VectorProperty") and not element.get("information_only") and
+            element.find("ArrayListDomain") is None and
+            element.get("name") not in NOT_OF_THE_MAPPER]
 
 
 def group(label):
