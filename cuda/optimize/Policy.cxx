@@ -451,7 +451,10 @@ private:
     const float* last = this->Iterates[this->Now].values;
     limpid::Iterate<AnyDevice>& next = this->Iterates[free];
     this->Prepare(*turn.swept, last, next);
-    const IterationRecord record = this->Sweep(turn, last, next.own.Data());
+    this->LookBefore(turn, last);
+    this->Sweep(turn, last, next.own.Data());
+    this->LookAfter(turn, next.own.Data());
+    const IterationRecord record = this->Energy.Record();
     this->Now = free;
     this->LastEnergy = record.energy.Total();
     this->Change = record.meanChange;
@@ -474,7 +477,9 @@ private:
       swept.Number(), swept.Frusta().size(), isNew, last, next.own.Data());
   }
 
-  IterationRecord Sweep(const Turn& turn, const float* last, float* next)
+  /// Computes what a sweep needs to know of the last iterate: the optical depths of the rays, and
+  /// the derivative of the other terms.
+  void LookBefore(const Turn& turn, const float* last)
   {
     if (!this->Seeing.Contains(*turn.swept))
     {
@@ -485,23 +490,24 @@ private:
     {
       this->Lagged.Find(turn, last, this->Seeing);
     }
-    this->SweepOnce(turn, last, next);
+  }
+
+  /// Measures by all terms what a sweep has made.
+  void LookAfter(const Turn& turn, const float* next)
+  {
     this->Lagged.Outdate();
     this->Seeing.Clear();
     this->Seeing.Add(*turn.swept);
     if (AnyDevice::readsHostMemory && this->SweepsSameNext(turn))
     {
       this->Lagged.Find(turn, next, this->Seeing); // also traverses the next iterate
+      return;
     }
-    else
+    for (Term* other : turn.others)
     {
-      for (Term* other : turn.others)
-      {
-        this->Energy.MeasureTerm(*other, next);
-        this->Seeing.Add(*other);
-      }
+      this->Energy.MeasureTerm(*other, next);
+      this->Seeing.Add(*other);
     }
-    return this->Energy.Record();
   }
 
   /// Returns whether the derivatives of the other terms by the next iterate are needed. Waits,
@@ -514,7 +520,7 @@ private:
       (turn.smoothing > 0 || (again && this->Turns.Of(this->Count).swept == turn.swept));
   }
 
-  void SweepOnce(const Turn& turn, const float* last, float* next)
+  void Sweep(const Turn& turn, const float* last, float* next)
   {
     ExactDifferences moved;
     const bool scored = turn.swept->IsOfCamera() && this->Given->tellsScores;
