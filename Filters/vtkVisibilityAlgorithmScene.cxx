@@ -330,7 +330,7 @@ limpid::FieldSource vtkVisibilityAlgorithm::SceneReader::FindArray(
 limpid::FieldSource vtkVisibilityAlgorithm::SceneReader::RequireArray(
   int index, const char* role, const char* fallback, vtkImageData* input) const
 {
-  const limpid::FieldSource source = this->FindArray(index, fallback, input);
+  limpid::FieldSource source = this->FindArray(index, fallback, input);
   const std::string chosen = this->ChosenName(index);
   LIMPID_REQUIRE(source.array,
     "The " << role << " array \""
@@ -368,7 +368,7 @@ limpid::FieldSource vtkVisibilityAlgorithm::SceneReader::ImportanceSource(
 
 limpid::FieldSource vtkVisibilityAlgorithm::SceneReader::ExtinctionArray(vtkImageData* input) const
 {
-  const limpid::FieldSource source = this->RequireArray(2, "extinction", "BaseExtinction", input);
+  limpid::FieldSource source = this->RequireArray(2, "extinction", "BaseExtinction", input);
   LIMPID_REQUIRE(source.array->GetNumberOfComponents() == 1,
     "The extinction array \""
       << limpid::NameOf(source.array) << "\" has " << source.array->GetNumberOfComponents()

@@ -112,7 +112,7 @@ limpid::FieldSource vtkTransmittanceVolumeMapper::Internals::ExtinctionSource(
   }
   const std::string& given = this->Self->ExtinctionArray;
   const std::string name = given.empty() ? "Extinction" : given;
-  const limpid::FieldSource source =
+  limpid::FieldSource source =
     limpid::FindField(image, name, this->Self->ExtinctionArrayAssociation);
   LIMPID_REQUIRE(source.array,
     "The extinction array \"" << name

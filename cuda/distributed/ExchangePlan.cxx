@@ -105,6 +105,7 @@ void ExchangePlan::Bring(const std::vector<Field>& fields) const
   const auto bytesOf = [&fields](const std::vector<WithRank>& passing)
   {
     std::vector<std::size_t> bytes;
+    bytes.reserve(passing.size());
     for (const WithRank& some : passing)
     {
       bytes.push_back(fields.size() * some.count * sizeof(float));
