@@ -18,6 +18,15 @@ MOST_FRAGMENTS = {"Filters": 0, "Plugin": 0, "Representations": 1, "Testing": 0,
                   "cuda/methods": 0, "cuda/optimize": 0, "cuda/render": 0, "cuda/scene": 0,
                   "cuda/sweep": 0, "cuda/viewpoint": 0}
 
+# What crosses the folders of the core. The numbers may only go down.
+CROSSES = [
+    ("ranks", re.compile(r'\b([Rr]anks?|[Cc]ommunicator)\b|"distributed/'), 25,
+     "work on processes that share a scene belongs into cuda/distributed/; others ask the scene, the "
+     "fields or the rays that they have"),
+    ("the memory of a device", re.compile(r"\breadsHostMemory\b"), 6,
+     "let the arrays of a device decide (cuda/backend/DeviceArray.h)")]
+
+
 
 def core(*patterns):
     return house.files(*patterns, under=["cuda"])
@@ -43,6 +52,13 @@ def folder_of(path):
 
 
 class TestSources(unittest.TestCase):
+    def test_few_files_know_what_has_a_folder_of_its_own(self):
+        for what, pattern, most, why in CROSSES:
+            found = [str(path) for path in core("*.h", "*.cxx")
+                     if folder_of(path) != "distributed" and pattern.search(house.text(path))]
+            with self.subTest(what):
+                self.assertLessEqual(len(found), most, "\n".join([f"More files know {what}: {why}."] + found))
+
     def refuse(self, pattern, files, why, allowed=lambda path: False):
         """No line of the files matches."""
         found = [f"{path}:{number}: {line.strip()}" for path in files if not allowed(path)
