@@ -14,7 +14,7 @@
 
 namespace limpid
 {
-class SliceWindow;
+struct SliceWindow;
 
 /// One kind of ray values, as bytes, to be redistributed.
 struct RayValues

@@ -12,7 +12,7 @@
 
 namespace limpid
 {
-class SliceWindow;
+struct SliceWindow;
 struct RayRow;
 
 /// Rays of a row, one per lane, and their light in a resolved layer.
