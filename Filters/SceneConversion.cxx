@@ -166,20 +166,10 @@ Grid GridOfExtent(const int extent[6], const ImagePlacement& placement)
   return ImageGrid(placed.nodes, placed.origin, placed.spacing, placed.direction);
 }
 
-FieldSource FindField(vtkImageData* image, const std::string& name, int association)
+void SetReferences(const References& references, SceneFields& scene)
 {
-  const bool both = association == vtkDataObject::FIELD_ASSOCIATION_POINTS_THEN_CELLS;
-  FieldSource source;
-  if (both || association == vtkDataObject::FIELD_ASSOCIATION_POINTS)
-  {
-    source.array = image->GetPointData()->GetArray(name.c_str());
-  }
-  if (!source.array && (both || association == vtkDataObject::FIELD_ASSOCIATION_CELLS))
-  {
-    source.array = image->GetCellData()->GetArray(name.c_str());
-    source.onCells = source.array != nullptr;
-  }
-  return source;
+  std::transform(references.begin(), references.end(), scene.references.begin(),
+    [](vtkFloatArray* array) { return array ? array->GetPointer(0) : nullptr; });
 }
 
 vtkSmartPointer<vtkFloatArray> ConvertField(

@@ -13,6 +13,8 @@
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
 
+#include "optimize/SceneFields.h"
+
 #include <array>
 #include <string>
 #include <vector>
@@ -33,15 +35,19 @@ struct FieldSource
   ScalarMapping mapping = KeepValue();
 };
 
+/// An extinction for each GivenReference [1/length]; null: not given.
+using References = std::array<vtkSmartPointer<vtkFloatArray>, givenReferences>;
+
 /// The fields of a scene at the points of the image, and how many values were unusable.
 struct VTKLIMPIDFILTERS_EXPORT SceneArrays
 {
   vtkSmartPointer<vtkFloatArray> baseExtinction; ///< [1/length]
   vtkSmartPointer<vtkFloatArray> importance;     ///< [0, 1]
-  vtkIdType invalidPoints = 0;                   ///< NaN or infinity; become empty
-  vtkIdType negativePoints = 0;                  ///< extinction below zero; become empty
-  vtkIdType clampedPoints = 0;                   ///< importance outside [0, 1]; clamped
-  vtkIdType allPoints = 0;                       ///< what these counts are out of; 0: all here
+  References references;
+  vtkIdType invalidPoints = 0;  ///< NaN or infinity; become empty
+  vtkIdType negativePoints = 0; ///< extinction below zero; become empty
+  vtkIdType clampedPoints = 0;  ///< importance outside [0, 1]; clamped
+  vtkIdType allPoints = 0;      ///< what these counts are out of; 0: all here
 
   /// Returns a warning about values that were not used as they are; may be empty.
   std::string Warning() const;
@@ -61,10 +67,8 @@ ImagePlacement PlacementOf(vtkImageData* image, const int extent[6]);
 /// Returns the grid of an extent whose first point has this placement.
 Grid GridOfExtent(const int extent[6], const ImagePlacement& placement);
 
-/// Returns the array of the points or the cells with a name; null: there is none. `association`:
-/// one of vtkDataObject, such as FIELD_ASSOCIATION_POINTS_THEN_CELLS.
-VTKLIMPIDFILTERS_EXPORT FieldSource FindField(
-  vtkImageData* image, const std::string& name, int association);
+/// Gives references to a scene, which does not own them.
+VTKLIMPIDFILTERS_EXPORT void SetReferences(const References& references, SceneFields& scene);
 
 /// Returns a field at the points of the image; NaN where it has no finite value.
 VTKLIMPIDFILTERS_EXPORT vtkSmartPointer<vtkFloatArray> ConvertField(

@@ -15,7 +15,8 @@
  *     If there is none, it is the scalar field mapped by ImportanceFunction. Without that, the
  *     largest scalars are assumed to be important, with a warning: importance rises from their
  *     95th to their 99th percentile, or above these if they lie in noise;
- *   index 2: extinction [1/length], for filters that use one; default: "BaseExtinction".
+ *   index 2: extinction [1/length], for filters that use one; default: "BaseExtinction";
+ *   index 4: reference extinction [1/length], for ReferencePull; default: none.
  *
  * Points with a NaN or an infinite value and blanked points are empty: they have neither extinction
  * nor importance. For point arrays, the points of blanked cells are empty, too; in cell arrays,

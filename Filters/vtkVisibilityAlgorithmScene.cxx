@@ -4,6 +4,7 @@
 #include "vtkVisibilityAlgorithmScene.h"
 
 #include "Choices.h"
+#include "InputArrays.h"
 #include "Memory.h"
 #include "SettingsConversion.h"
 #include "SharedArray.h"
@@ -27,9 +28,6 @@
 
 namespace
 {
-// The name for no choice of an importance array; equals none_string in LimpidFilters.xml.
-const char* const AUTOMATIC = "(Automatic)";
-
 double MeanCellLength(const limpid::Grid& grid)
 {
   double cells = 1;
@@ -79,6 +77,7 @@ SceneFields ImageScene::Fields() const
 {
   SceneFields fields{ this->grid, this->arrays.baseExtinction->GetPointer(0),
     this->arrays.importance->GetPointer(0), this->majorant };
+  SetReferences(this->arrays.references, fields);
   fields.piece = this->piece;
   return fields;
 }
@@ -206,11 +205,19 @@ limpid::ImageScene vtkVisibilityAlgorithm::SceneReader::ReadShared(
     {
       scene.arrays = empty
         ? limpid::SceneArrays{ limpid::NewArray<vtkFloatArray>("BaseExtinction", 0),
-            limpid::NewArray<vtkFloatArray>("Importance", 0), 0, 0, 0 }
+            limpid::NewArray<vtkFloatArray>("Importance", 0), {}, 0, 0, 0 }
         : this->Convert(shared.image, extinctionSource, assumed, scene);
     });
   shared.CopyFromOwners(scene.arrays.baseExtinction);
   shared.CopyFromOwners(scene.arrays.importance);
+  for (vtkSmartPointer<vtkFloatArray>& reference : scene.arrays.references)
+  {
+    if (ranks.AnyOf(reference != nullptr))
+    {
+      reference = empty ? limpid::NewArray<vtkFloatArray>("Reference", 0) : reference;
+      shared.CopyFromOwners(reference);
+    }
+  }
   this->Warn(assumed, scene);
   return scene;
 }
@@ -284,6 +291,14 @@ limpid::SceneArrays vtkVisibilityAlgorithm::SceneReader::Convert(vtkImageData* i
     : this->OpacityOfScalars(input, scene.unitDistance, assumed.range);
   const limpid::FieldSource importance = this->ImportanceSource(input, assumed);
   limpid::SceneArrays arrays = limpid::ConvertScene(input, extinction, importance);
+  std::size_t number = 0;
+  for (const limpid::FieldSource& reference : limpid::ReferenceSources(this->Self, input))
+  {
+    arrays.references[number] =
+      reference.array ? limpid::ConvertField(input, reference, "Reference") : nullptr;
+    scene.taken.push_back(reference.array);
+    ++number;
+  }
   if (extinctionSource == ARRAY)
   {
     scene.taken.push_back(extinction.array);
@@ -296,23 +311,12 @@ limpid::SceneArrays vtkVisibilityAlgorithm::SceneReader::Convert(vtkImageData* i
   return arrays;
 }
 
-// Returns the name of the array that the user chose; empty if there is no choice.
-std::string vtkVisibilityAlgorithm::SceneReader::ChosenName(int index) const
-{
-  vtkInformation* chosen = this->Self->GetInputArrayInformation(index);
-  const char* name =
-    chosen->Has(vtkDataObject::FIELD_NAME()) ? chosen->Get(vtkDataObject::FIELD_NAME()) : nullptr;
-  // If the input had not been executed before, the array property of a script has no name, or its
-  // own index as its name. Only ParaView's server manager sets such names.
-  return name && name != std::to_string(index) && name != std::string(AUTOMATIC) ? name : "";
-}
-
 // Returns the chosen array, or else the array named `fallback`, or, if that is null, the active
 // scalars. The array is null if there is none.
 limpid::FieldSource vtkVisibilityAlgorithm::SceneReader::FindArray(
   int index, const char* fallback, vtkImageData* input) const
 {
-  const std::string chosen = this->ChosenName(index);
+  const std::string chosen = limpid::ChosenName(this->Self, index);
   if (!chosen.empty())
   {
     vtkInformation* information = this->Self->GetInputArrayInformation(index);
@@ -330,8 +334,8 @@ limpid::FieldSource vtkVisibilityAlgorithm::SceneReader::FindArray(
 limpid::FieldSource vtkVisibilityAlgorithm::SceneReader::RequireArray(
   int index, const char* role, const char* fallback, vtkImageData* input) const
 {
-  limpid::FieldSource source = this->FindArray(index, fallback, input);
-  const std::string chosen = this->ChosenName(index);
+  const limpid::FieldSource source = this->FindArray(index, fallback, input);
+  const std::string chosen = limpid::ChosenName(this->Self, index);
   LIMPID_REQUIRE(source.array,
     "The " << role << " array \""
            << (chosen.empty() ? (fallback ? fallback : "(the active scalars)") : chosen)
@@ -344,7 +348,7 @@ limpid::FieldSource vtkVisibilityAlgorithm::SceneReader::RequireArray(
 limpid::ImportanceChoice vtkVisibilityAlgorithm::SceneReader::ChooseImportance(
   vtkImageData* input) const
 {
-  const std::string name = this->ChosenName(1);
+  const std::string name = limpid::ChosenName(this->Self, 1);
   limpid::ImportanceChoice choice;
   choice.name = name.empty() ? "Importance" : name;
   choice.isChosen = !name.empty();

@@ -86,7 +86,6 @@ private:
   void ReadUnits(int extinctionSource, limpid::ImageScene& scene) const;
   ScalarRange RangeOfScalars(vtkImageData* input) const;
 
-  std::string ChosenName(int index) const;
   limpid::FieldSource FindArray(int index, const char* fallback, vtkImageData* input) const;
   limpid::FieldSource RequireArray(
     int index, const char* role, const char* fallback, vtkImageData* input) const;

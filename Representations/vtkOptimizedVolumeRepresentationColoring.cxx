@@ -3,6 +3,7 @@
 
 // Chooses what is shown and its colours, with messages if this differs from the request.
 
+#include "InputArrays.h"
 #include "ScalarChoice.h"
 #include "SharedArray.h"
 #include "StartingImportance.h"
@@ -119,6 +120,7 @@ vtkDataArray* vtkOptimizedVolumeRepresentation::ApplyScalars(
       scalars.onCells ? VTK_SCALAR_MODE_USE_CELL_FIELD_DATA : VTK_SCALAR_MODE_USE_POINT_FIELD_DATA);
   }
   this->ApplyImportance(image, scalars);
+  limpid::CopyReferences(this, this->State->Mapper);
   return scalars.array;
 }
 

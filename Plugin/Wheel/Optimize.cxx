@@ -12,9 +12,12 @@
 #include <nanobind/stl/array.h>
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/string.h>
+#include <nanobind/stl/vector.h>
 
+#include <algorithm>
 #include <memory>
 #include <optional>
+#include <vector>
 
 namespace nb = nanobind;
 using namespace nb::literals;
@@ -104,8 +107,8 @@ nb::dict ResultsOf(const Solver& solver, const Camera& camera)
 
 nb::dict Optimize(const Grid& grid, const Field& extinction, const Field& importance,
   float majorant, const Camera& camera, const Light& light, const Settings& settings,
-  const ViewSet& views, std::optional<Guide> guide, const OptionalField& initial,
-  CarriedChange* previous, const nb::object& progress)
+  const ViewSet& views, std::optional<Guide> guide, const std::vector<OptionalField>& references,
+  const OptionalField& initial, CarriedChange* previous, const nb::object& progress)
 {
   Run run(grid, extinction, importance, majorant);
   run.camera = camera;
@@ -114,6 +117,7 @@ nb::dict Optimize(const Grid& grid, const Field& extinction, const Field& import
   run.settings.scoreIterations = true;
   run.views = views;
   run.guide = guide;
+  std::transform(references.begin(), references.end(), run.scene.references.begin(), DataOf);
   run.initial = DataOf(initial);
   run.previous = previous;
   run.progress = ToProgress(progress);
@@ -160,6 +164,7 @@ void BindOptimize(nb::module_& module)
   module.attr("likeness_in_time") = likenessInTime;
   module.def("optimize", Optimize, "grid"_a, "extinction"_a.noconvert(), "importance"_a.noconvert(),
     "majorant"_a, "camera"_a, "light"_a, "settings"_a, "views"_a, "guide"_a.none(),
-    "initial"_a.noconvert().none(), "previous"_a.none(), "progress"_a.none());
+    "references"_a.noconvert(), "initial"_a.noconvert().none(), "previous"_a.none(),
+    "progress"_a.none());
 }
 }

@@ -22,6 +22,26 @@ function (limpid_fill_in_settings input output)
     COMMAND_ERROR_IS_FATAL ANY)
 endfunction ()
 
+# The same for a header whose macros VTK's wrappers expand. They look at the headers of classes only,
+# so that what they made of the macros before is removed.
+function (limpid_fill_in_wrapped_macros input output)
+  set(before)
+  if (EXISTS "${output}")
+    file(READ "${output}" before)
+  endif ()
+  limpid_fill_in_settings("${input}" "${output}")
+  file(READ "${output}" after)
+  if (NOT before STREQUAL after)
+    file(GLOB_RECURSE wrappings
+      "${CMAKE_BINARY_DIR}/*/vtk*Python.cxx"
+      "${CMAKE_BINARY_DIR}/*/vtk*ClientServer.cxx")
+    list(FILTER wrappings INCLUDE REGEX "/vtkLimpid[A-Za-z]*(Python|CS)/")
+    if (wrappings)
+      file(REMOVE ${wrappings})
+    endif ()
+  endif ()
+endfunction ()
+
 # ParaView 6.1 shows rectilinear grids by a proxy of its own. They are refused by a message that says
 # what to do, for which the representation type has to be there, too.
 function (limpid_extend_rectilinear_grids text result)

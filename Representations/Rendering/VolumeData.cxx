@@ -413,6 +413,36 @@ void VolumeData::TakeImportance(vtkImageData* here, const FieldSource& source)
   this->CorrectImportance(shares);
 }
 
+void VolumeData::UpdateReferences(vtkImageData* image, const std::vector<FieldSource>& sources)
+{
+  std::vector<ArrayKey> keys;
+  for (const FieldSource& source : sources)
+  {
+    keys.push_back(KeyOf(image, source, 0));
+  }
+  const bool current = keys == this->ReferenceKeys && this->ReferenceScalars == this->ScalarChanges;
+  if (!this->AnyRank(!current))
+  {
+    return;
+  }
+  std::size_t number = 0;
+  for (vtkSmartPointer<vtkFloatArray>& reference : this->Given)
+  {
+    const FieldSource& source = sources[number];
+    ++number;
+    reference = nullptr;
+    if (this->AnyRank(source.array != nullptr))
+    {
+      reference = source.array ? ConvertField(this->Here(image), source, "Reference")
+                               : NewArray<vtkFloatArray>("Reference", 0);
+      reference = this->Shared ? this->Shared->Extended(reference, 0.0F) : reference;
+    }
+  }
+  this->ReferenceKeys = keys;
+  this->ReferenceScalars = this->ScalarChanges;
+  ++this->ReferenceChanges;
+}
+
 SceneFields VolumeData::Scene() const
 {
   SceneFields scene;
@@ -421,13 +451,15 @@ SceneFields VolumeData::Scene() const
   scene.baseExtinction = this->Arrays.baseExtinction->GetPointer(0);
   scene.importance = this->Arrays.importance->GetPointer(0);
   scene.majorant = this->Majorant;
+  SetReferences(this->Given, scene);
   return scene;
 }
 
 // The sum is unique, since each change increases it.
 std::uint64_t VolumeData::SceneVersion() const
 {
-  return this->ScalarChanges + this->FunctionChanges + this->ImportanceChanges;
+  return this->ScalarChanges + this->FunctionChanges + this->ImportanceChanges +
+    this->ReferenceChanges;
 }
 
 std::string VolumeData::Warning() const
@@ -448,6 +480,8 @@ void VolumeData::Release()
   this->ScalarValues = nullptr;
   this->ScalarShares = {};
   this->Arrays = SceneArrays();
+  this->Given = {};
+  this->ReferenceKeys.clear();
   this->Tables.extinction.clear();
 }
 }

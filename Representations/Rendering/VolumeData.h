@@ -48,6 +48,10 @@ public:
   /// `functionTime`: modification time of the source's mapping.
   void UpdateImportance(vtkImageData* image, const FieldSource& source, vtkMTimeType functionTime);
 
+  /// Updates the reference extinctions at the points of the image. `sources`: see
+  /// ReferenceSources.
+  void UpdateReferences(vtkImageData* image, const std::vector<FieldSource>& sources);
+
   /// Frees memory.
   void Release();
 
@@ -158,6 +162,10 @@ private:
   float Majorant = 0; ///< largest extinction of the opacity function or of the array [1/length]
   std::uint64_t FunctionChanges = 0;
 
+  References Given;
+  std::vector<ArrayKey> ReferenceKeys;
+  std::uint64_t ReferenceScalars = 0; ///< version of the scalars they were computed for
+  std::uint64_t ReferenceChanges = 0;
   ArrayKey ImportanceKey;
   std::uint64_t ImportanceScalars = 0; ///< version of the scalars it was computed for
   SceneArrays Arrays;                  ///< base extinction and importance

@@ -15,7 +15,8 @@
  * points first. Points with a NaN or an infinite value and hidden (blanked) points are empty.
  * Extents, spacing, and direction matrices of either handedness are honoured. A second array has
  * the importance, see SetImportanceArray; a third one may have the extinction, see
- * SetExtinctionSource.
+ * SetExtinctionSource. The reference for ReferencePull is chosen with SetInputArrayToProcess, at
+ * index 4.
  *
  * Colours, opacities and the unit distance are those of the first component of vtkVolumeProperty.
  * Scalars are always interpolated linearly. The volume is lit if Shadows or the property's Shade is

@@ -4,6 +4,7 @@
 #include "vtkTransmittanceVolumeMapperInternals.h"
 
 #include "ControllerRanks.h"
+#include "InputArrays.h"
 #include "Memory.h"
 
 #include "vtkBoundingBox.h"
@@ -366,6 +367,8 @@ void vtkTransmittanceVolumeMapper::Internals::Draw(
   this->Data.UpdateScalars(
     image, scalars, extinction, this->CropRegionOf(volume), volume->GetProperty());
   this->Data.UpdateFunctions(volume->GetProperty());
+  this->Data.UpdateReferences(
+    image, limpid::ReferenceSources(this->Self, isHere ? image : nullptr));
   limpid::ImportanceChoice choice =
     isHere ? this->ChooseImportance(image, scalars) : limpid::ImportanceChoice();
   this->AssumeImportance(image, choice);

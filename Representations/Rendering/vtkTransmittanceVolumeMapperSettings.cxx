@@ -7,6 +7,7 @@
 #include "vtkTransmittanceVolumeMapperInternals.h"
 
 #include "Choices.h"
+#include "InputArrays.h"
 #include "SettingsConversion.h"
 #include "SharedArray.h"
 #include "SharedView.h"

@@ -372,6 +372,53 @@ class TestExtinctionSource(OptimizerTest):
 
 
 
+class TestReference(OptimizerTest):
+    REFERENCES = 4  # first input array of references
+
+    def scene(self):
+        image = phantom(16)
+        half = 0.5 * values(image, "BaseExtinction")
+        return self.with_reference(image, half), half
+
+    def with_reference(self, image, extinction):
+        array = numpy_to_vtk(extinction, deep=1)
+        array.SetName("Half")
+        image.GetPointData().AddArray(array)
+        return image
+
+    def test_of_a_large_weight_is_the_result(self):
+        image, half = self.scene()
+        result = optimizer(image, ReferencePull=1e7)
+        result.SetInputArrayToProcess(self.REFERENCES, 0, 0, POINTS, "Half")
+        result.Update()
+
+        self.assert_no_error(result)
+        largest = float(values(image, "BaseExtinction").max())
+        np.testing.assert_allclose(values(result.GetOutput(), "Extinction"), half,
+                                   atol=16 * SINGLE * largest)
+
+    def test_that_is_missing_is_refused(self):
+        image, _ = self.scene()
+        result = optimizer(image, ReferencePull=1)
+        result.SetInputArrayToProcess(self.REFERENCES, 0, 0, POINTS, "Other")
+        result.Update()
+
+        self.assertIn('The reference array "Other" is not among', result.messages["ErrorEvent"][0])
+
+    def test_that_is_no_extinction_is_refused(self):
+        for wrong in (-1.0, math.nan):
+            with self.subTest(wrong=wrong):
+                image, half = self.scene()
+                half[77] = wrong
+                self.with_reference(image, half)
+                result = optimizer(image, ReferencePull=1)
+                result.SetInputArrayToProcess(self.REFERENCES, 0, 0, POINTS, "Half")
+                result.Update()
+
+                self.assertIn("The reference extinction of voxel 77 is",
+                              result.messages["ErrorEvent"][0])
+
+
 class TestMajorant(OptimizerTest):
     """What the extinction may rise to, Eq. (25)."""
 

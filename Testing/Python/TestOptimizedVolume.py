@@ -185,6 +185,19 @@ class TestOptimizedVolume(displays.DisplayTest):
         self.assertEqual(list(display.ImportanceArray), ["POINTS", "Importance"])
         self.assertGreater(display.VisibleFraction, display.BaseVisibleFraction)
 
+    def test_stays_near_a_reference(self):
+        display = self.shown(OcclusionPhantom(Resolution=32), ReferencePull=0)
+        simple.Render(self.view)
+        cleared = display.VisibleFraction
+        self.assertEqual(list(display.ReferenceArray), ["POINTS", "(None)"])
+        display.ReferenceArray = ["POINTS", "BaseExtinction"]
+        display.ReferencePull = 100
+        simple.Render(self.view)
+
+        self.assert_says(display, "")
+        self.assertLess(display.VisibleFraction,
+                        display.BaseVisibleFraction + 0.5 * (cleared - display.BaseVisibleFraction))
+
     def test_makes_importance_of_the_color_array_by_a_function(self):
         display = self.shown(simple.Wavelet(), UseImportanceFunction=1)
         display.ImportanceFunction.Points = [180, 0, 0.5, 0, 277, 1, 0.5, 0]

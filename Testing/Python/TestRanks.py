@@ -190,6 +190,30 @@ class TestRanks(unittest.TestCase):
                 with self.subTest(weight=weight, **properties):
                     self.same(whole.GetOutput(), optimizer)
 
+    def test_stay_near_a_reference(self):
+        image = whole_phantom()
+        array = vtkFloatArray()
+        array.SetName("Half")
+        for value in images.values(image, "BaseExtinction"):
+            array.InsertNextValue(0.5 * float(value))
+        image.GetPointData().AddArray(array)
+
+        def choose(optimizer):
+            optimizer.SetInputArrayToProcess(
+                4, 0, 0, vtkDataObject.FIELD_ASSOCIATION_POINTS, "Half")
+
+        whole = optimizer_of(image=image, ReferencePull=0.3)
+        choose(whole)
+        whole.UpdatePiece(0, 1, 0)
+        pieces = Pieces(image, slabs(image, 2, 1))
+        optimizer = optimizer_of(connection=pieces.GetOutputPort(), ReferencePull=0.3)
+        choose(optimizer)
+        optimizer.UpdatePiece(RANK, RANKS, 0)
+        self.same(whole.GetOutput(), optimizer)
+        free = alone(image)
+        self.assertTrue((values_in(free, "Extinction", free.GetExtent()) !=
+                         values_in(whole.GetOutput(), "Extinction", free.GetExtent())).any())
+
     def test_importance_of_cells(self):
         image = whole_phantom()
         cells = images.values(image, "Importance").reshape(20, 20, 20)[:-1, :-1, :-1].ravel()

@@ -316,5 +316,46 @@ class TestArray(MapperTest):
         self.assert_made_again(view, mapper)
 
 
+class TestReference(MapperTest):
+    """An extinction to stay near, which is the base extinction."""
+
+    REFERENCES = 4  # first input array of references
+
+    def test_with_a_large_weight_is_what_is_drawn(self):
+        image = linear_phantom()
+        view, mapper = show(image)
+        view.window.Render()
+        self.assertGreater(mapper.GetVisibleFraction(), 1.05 * mapper.GetBaseVisibleFraction())
+        mapper.SetInputArrayToProcess(self.REFERENCES, 0, 0, vtkDataObject.POINT, "Extinction")
+        mapper.SetReferencePull(1e7)
+        view.window.Render()
+
+        self.assert_fine(view)
+        # Extinctions of the display are those of a table, with steps of 1/4095 of the range.
+        self.assertAlmostEqual(mapper.GetVisibleFraction(), mapper.GetBaseVisibleFraction(),
+                               delta=1e-3)
+
+    def test_is_read_again_when_it_changes(self):
+        image = linear_phantom()
+        array = image.GetPointData().GetArray("Extinction")
+        view, mapper = show(image, ReferencePull=1e7)
+        mapper.SetInputArrayToProcess(self.REFERENCES, 0, 0, vtkDataObject.POINT, "Extinction")
+        view.window.Render()
+        self.assert_fine(view)
+        value = array.GetValue(77)
+        array.SetValue(77, np.nan)
+        array.Modified()
+        self.assert_says(view, "The reference extinction of voxel 77 is nan")
+        array.SetValue(77, value)
+        array.Modified()
+        view.window.Render()
+        self.assertEqual(mapper.GetMessages(), "")
+
+    def test_that_is_missing_is_named(self):
+        view, mapper = show(linear_phantom(), ReferencePull=1)
+        mapper.SetInputArrayToProcess(self.REFERENCES, 0, 0, vtkDataObject.POINT, "Absent")
+        self.assert_says(view, 'The reference array "Absent"')
+
+
 if __name__ == "__main__":
     unittest.main()

@@ -220,6 +220,26 @@ class TestPrevious(unittest.TestCase):
         self.assertLessEqual(again.iterations, first.iterations)
 
 
+class TestReference(unittest.TestCase):
+    def test_is_the_result_if_its_weight_is_large(self):
+        base = optimize(maximum_iterations=0).extinction
+        self.assertGreater(np.abs(optimize().extinction - base).max(), 0.5 * base.max())
+        for reference in (base, np.ascontiguousarray(base)):
+            result = optimize(reference=reference, reference_pull=1e7)
+
+            # 16 roundings of the largest extinction.
+            np.testing.assert_allclose(result.extinction, base, rtol=0,
+                                       atol=16 * np.finfo(np.float32).eps * base.max())
+
+    def test_of_another_shape_is_refused(self):
+        with self.assertRaisesRegex(ValueError, "reference"):
+            optimize(reference=np.zeros((3, 4, 5), np.float32), reference_pull=1)
+
+    def test_a_weight_without_one_is_refused(self):
+        with self.assertRaisesRegex(ValueError, "there is no reference"):
+            optimize(reference_pull=1)
+
+
 class TestAssumedImportance(unittest.TestCase):
     def assumed(self, values, **arguments):
         """The importance and the text of the warning."""

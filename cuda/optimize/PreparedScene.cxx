@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 namespace limpid
@@ -105,6 +106,38 @@ void RequireRange(const SceneFields& scene, const CheckedField& field, const Fie
            << " (the energy of Eq. (21) is not defined for it). Keep it " << field.range << '.');
 }
 
+/// Checks the references that are given, which all ranks with nodes must have.
+void RequireReferences(const SceneFields& scene)
+{
+  const Communicator& ranks = *scene.piece->ranks;
+  for (const float* values : scene.references)
+  {
+    const bool isGiven = ranks.AnyOf(values != nullptr);
+    RequireOnAllRanks(ranks,
+      [&]
+      {
+        LIMPID_REQUIRE(values || !isGiven || scene.ValueCount() == 0,
+          "A reference extinction is given on some ranks only (a pull needs it everywhere). Give "
+          "it on all of them.");
+        RequireRange(scene,
+          { values, mostExtinction, "reference extinction", "finite and not negative" },
+          { 0, values == nullptr });
+      });
+  }
+}
+
+/// Returns a reference that the caller gave. Throws if there is none.
+std::optional<CarriedExtinction> ReferenceOf(const SceneFields& scene, GivenReference which)
+{
+  const float* values = scene.references[static_cast<std::size_t>(which)];
+  LIMPID_REQUIRE(scene.piece->ranks->AnyOf(values != nullptr), // an empty subdomain has none
+    "A pull towards a reference has a weight, and there is no reference (there is nothing to stay "
+    "near). Give an extinction as the reference, or set the weight to 0.");
+  CarriedExtinction given;
+  given.extinction.assign(values, values + scene.ValueCount());
+  return given;
+}
+
 void RequireDistances(const std::vector<TermSource>& sources, const Grid& grid)
 {
   for (const TermSource& source : sources)
@@ -166,6 +199,7 @@ PreparedScene::PreparedScene(const SceneFields& given)
       RequireRange(scene, extinction, found.extinction);
       RequireRange(scene, importance, found.importance);
     });
+  RequireReferences(scene);
   found.extinction.largest = ranks.LargestOf(found.extinction.largest);
   found.importance.largest = ranks.LargestOf(found.importance.largest);
   // Without any absorption there is nothing to optimise, whatever the transfer function allows.
@@ -278,13 +312,13 @@ std::vector<PullWithReferences> PreparedScene::PullsFor(const CarriedChange& bef
   const Problem& problem, const Camera& camera, const Light& light) const
 {
   std::vector<PullWithReferences> pulls;
-  const auto add = [&](const CarriedChange& change, double share, SummandOf summand)
+  const auto add = [&](double share, SummandOf summand, const auto& references)
   {
     if (!(share > 0))
     {
       return;
     }
-    if (auto near = AppliedTo(this->Fields, this->LargestExtinction, change))
+    if (auto near = references())
     {
       problem.TakeIntoBounds(near->extinction);
       problem.TakeIntoBounds(near->light);
@@ -292,8 +326,13 @@ std::vector<PullWithReferences> PreparedScene::PullsFor(const CarriedChange& bef
     }
   };
   const Settings& settings = problem.settings;
-  add(before, settings.temporalCoherence * before.NearnessTo(camera, light, settings),
-    [](Energy& energy) -> double& { return energy.coherence; });
+  add(
+    settings.temporalCoherence * before.NearnessTo(camera, light, settings),
+    [](Energy& energy) -> double& { return energy.coherence; },
+    [&] { return AppliedTo(this->Fields, this->LargestExtinction, before); });
+  add(
+    settings.referencePull, [](Energy& energy) -> double& { return energy.reference; },
+    [&] { return ReferenceOf(this->Fields, GivenReference::Near); });
   return pulls;
 }
 }

@@ -5,8 +5,10 @@
 #define limpid_optimize_SceneFields_h
 
 #include "distributed/ScenePiece.h"
+#include "optimize/Settings.h"
 #include "scene/Grid.h"
 
+#include <array>
 #include <memory>
 
 namespace limpid
@@ -29,6 +31,9 @@ struct SceneFields
   /// null: computed on request.
   const float* despeckled = nullptr;
 
+  /// For each GivenReference grid.NodeCount() values >= 0, finite [1/length]; null: not given.
+  std::array<const float*, givenReferences> references{};
+
   /// This rank's subdomain of a distributed scene: the arrays hold the values of its nodes only,
   /// first axis fastest. Null if they hold all nodes.
   std::shared_ptr<const ScenePiece> piece = nullptr;
@@ -40,6 +45,10 @@ struct SceneFields
     visit(this->baseExtinction, mostExtinction);
     visit(this->importance, 1.0f);
     visit(this->despeckled, 1.0f);
+    for (const float*& reference : this->references)
+    {
+      visit(reference, mostExtinction);
+    }
   }
 
   /// Number of values in the arrays.

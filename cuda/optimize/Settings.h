@@ -46,6 +46,16 @@ enum class ImportanceSmoothing
   Median ///< see Despeckle
 };
 
+/// The reference extinctions that a caller can give, SceneFields::references. Filters and displays
+/// have one input array for each, from firstReferenceArray on.
+enum class GivenReference
+{
+  Near, ///< see Settings::referencePull
+  Count
+};
+constexpr std::size_t givenReferences = static_cast<std::size_t>(GivenReference::Count);
+constexpr int firstReferenceArray = 4;
+
 /// What the optimisation is to do. Members that a user can set are in the table
 /// optimize/Settings.xml, which has their valid values.
 struct Settings
@@ -93,6 +103,10 @@ struct Settings
   /// paper.
   double temporalCoherence = 0;
 
+  /// Strength of the pull towards GivenReference::Near, relative to the weights of view and light,
+  /// >= 0. 0: none, as in the paper.
+  double referencePull = 0;
+
   /// Whether every iteration has a score, even if that costs an extra sweep, see
   /// Problem::tellsScores.
   bool scoreIterations = false;
@@ -134,7 +148,8 @@ struct Energy
   double view = 0;           ///< F_q, Eq. (23)
   double light = 0;          ///< F_r, Eq. (24)
   double coherence = 0;      ///< F_t, Documentation/Deviations.md, D20
-  double Total() const { return regularization + view + light + coherence; }
+  double reference = 0;      ///< of the pull towards GivenReference::Near
+  double Total() const { return regularization + view + light + coherence + reference; }
 };
 
 /// Number of terms beside those of Eq. (21). All of them are pulls.

@@ -88,7 +88,7 @@ def optimize(volume=None, *, scalars=None, importance=None, importance_function=
              extinction=None, extinction_function=None, opacity_function=None, unit_distance=None,
              spacing=None, origin=None, direction=None, camera=None, light=None,
              importance_component=None, optimize_viewpoint=False, viewpoint_guide="attainable",
-             previous=(), progress=None, **settings):
+             reference=None, previous=(), progress=None, **settings):
     """Finds the extinction that minimises Eq. (21) for one camera and one light.
 
     Arrays have one number per point, shape (X, Y, Z), indexed [x, y, z]; those of images may be
@@ -122,6 +122,8 @@ def optimize(volume=None, *, scalars=None, importance=None, importance_function=
     viewpoint_guide: what tells the way. "attainable": what could be seen from each view at most;
         the extinction is optimised once, where that is highest. "proxy": the majorant times
         importance. "coupled": the extinction found last.
+    reference: an extinction to stay near with reference_pull above 0: an array, or the name of one
+        of the image's [1/length].
     previous: what optimize has found for another view or time step of the same box, None for the
         first: with warm_start=True the iterations start from it, and with temporal_coherence=0.2,
         say, the result stays near it where little is to be gained, unless it is of other settings
@@ -152,7 +154,8 @@ def optimize(volume=None, *, scalars=None, importance=None, importance_function=
     memory = Memory.of(scene, settings)
     found = _core.optimize(*scene.in_core(), scene.majorant, view.in_core(), lamp.in_core(view),
                            core_settings, views, guide if optimize_viewpoint else None,
-                           before.initial(scene), before.change(memory), report)
+                           [scene.flat("reference", reference)], before.initial(scene),
+                           before.change(memory), report)
     if report:
         report.finish()
 

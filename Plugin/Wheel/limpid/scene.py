@@ -34,6 +34,12 @@ class Scene:
         return (self.grid.in_core(self.layout.order), self.layout.flat(self.base_extinction),
                 self.layout.flat(self.importance))
 
+    def flat(self, role, given):
+        """A further field, an array or a name, as the core takes it; None: there is none."""
+        if given is None:
+            return None
+        return self.layout.flat(converted(self.source.field(role, given), self.layout))
+
     def as_given(self, values):
         """A field as the core has it as the volume itself is, see Volume.as_given; not copied."""
         return self.source.as_given(self.layout.shaped(values, self.grid.shape))

@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// The arrays of an image that a user chooses with SetInputArrayToProcess.
+
+#ifndef limpid_InputArrays_h
+#define limpid_InputArrays_h
+
+#include "SceneConversion.h"
+
+#include "vtkLimpidFiltersModule.h" // for export macro
+
+#include <string>
+#include <vector>
+
+class vtkAlgorithm;
+class vtkImageData;
+
+namespace limpid
+{
+/// Returns the array of the points or the cells with a name; null: there is none. `association`:
+/// one of vtkDataObject, such as FIELD_ASSOCIATION_POINTS_THEN_CELLS.
+VTKLIMPIDFILTERS_EXPORT FieldSource FindField(
+  vtkImageData* image, const std::string& name, int association);
+
+/// Returns the name of an input array that the user chose; empty if there is no choice.
+VTKLIMPIDFILTERS_EXPORT std::string ChosenName(vtkAlgorithm* owner, int index);
+
+/// Returns an array for each GivenReference, which the user chose among the input arrays of an
+/// algorithm. It is null if none is chosen, or without an image.
+VTKLIMPIDFILTERS_EXPORT std::vector<FieldSource> ReferenceSources(
+  vtkAlgorithm* owner, vtkImageData* image);
+
+/// Chooses the reference arrays of one algorithm in another one, too.
+VTKLIMPIDFILTERS_EXPORT void CopyReferences(vtkAlgorithm* from, vtkAlgorithm* to);
+}
+
+#endif
