@@ -40,7 +40,8 @@ struct MethodScene
 
 /**
  * The passes of a method that replaces the optimiser; null if it has none of its own. To add a
- * method: its file, its row here and in InfoOf, and, if it has one, its compositing (render).
+ * method: its file, a value of Method, its rows in PassesOf and InfoOf, and, if it has one, its
+ * compositing (render).
  */
 template <class AnyDevice>
 struct MethodPasses
