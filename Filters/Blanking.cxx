@@ -4,6 +4,7 @@
 #include "Blanking.h"
 
 #include "AllCores.h"
+#include "CellsAround.h"
 #include "Memory.h"
 
 #include "vtkCellData.h"
@@ -83,30 +84,14 @@ vtkSmartPointer<vtkUnsignedCharArray> Blanking::HiddenCells() const
 
 float Blanking::ShareOfPoint(int i, int j, int k, bool ofCells) const
 {
-  const std::array<int, 3> point{ { i, j, k } };
-  std::array<int, 3> cells; // number of cells of the image; one across a flat axis
-  std::array<int, 3> first; // first cell around the point
-  std::array<int, 3> last;
-  for (std::size_t axis = 0; axis < 3; ++axis)
-  {
-    cells[axis] = std::max(this->Nodes[axis] - 1, 1);
-    first[axis] = std::max(point[axis] - 1, 0);
-    last[axis] = std::min(point[axis], cells[axis] - 1);
-  }
   int count = 0;
   int blanked = 0;
-  for (int z = first[2]; z <= last[2]; ++z)
-  {
-    for (int y = first[1]; y <= last[1]; ++y)
+  ForCellsAround(this->Nodes, { { i, j, k } },
+    [&](vtkIdType cell)
     {
-      for (int x = first[0]; x <= last[0]; ++x)
-      {
-        const vtkIdType cell = x + cells[0] * (y + vtkIdType(cells[1]) * z);
-        blanked += this->IsBlanked(cell) ? 1 : 0;
-        ++count;
-      }
-    }
-  }
+      blanked += this->IsBlanked(cell) ? 1 : 0;
+      ++count;
+    });
   return ofCells ? static_cast<float>(count - blanked) / static_cast<float>(count)
                  : (blanked > 0 ? 0.0F : 1.0F);
 }

@@ -4,6 +4,7 @@
 #include "InputArrays.h"
 
 #include "Choices.h"
+#include "StructureLabels.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkCellData.h"
@@ -65,10 +66,10 @@ std::vector<FieldSource> ReferenceSources(vtkAlgorithm* owner, vtkImageData* ima
   return sources;
 }
 
-void CopyReferences(vtkAlgorithm* from, vtkAlgorithm* to)
+void CopyFurtherArrays(vtkAlgorithm* from, vtkAlgorithm* to)
 {
   const int end = firstReferenceArray + static_cast<int>(givenReferences);
-  for (int index = firstReferenceArray; index < end; ++index)
+  for (int index = structureArray; index < end; ++index)
   {
     vtkInformation* chosen = from->GetInputArrayInformation(index);
     to->SetInputArrayToProcess(index, 0, 0,

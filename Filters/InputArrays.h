@@ -31,8 +31,9 @@ VTKLIMPIDFILTERS_EXPORT std::string ChosenName(vtkAlgorithm* owner, int index);
 VTKLIMPIDFILTERS_EXPORT std::vector<FieldSource> ReferenceSources(
   vtkAlgorithm* owner, vtkImageData* image);
 
-/// Chooses the reference arrays of one algorithm in another one, too.
-VTKLIMPIDFILTERS_EXPORT void CopyReferences(vtkAlgorithm* from, vtkAlgorithm* to);
+/// Chooses the further arrays of one algorithm, those of structures and references, in another one,
+/// too.
+VTKLIMPIDFILTERS_EXPORT void CopyFurtherArrays(vtkAlgorithm* from, vtkAlgorithm* to);
 }
 
 #endif

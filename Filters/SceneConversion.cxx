@@ -6,6 +6,7 @@
 #include "Blanking.h"
 #include "Choices.h"
 #include "Memory.h"
+#include "StructureLabels.h"
 
 #include "vtkCellData.h"
 #include "vtkCellDataToPointData.h"
@@ -15,6 +16,7 @@
 #include "vtkPointData.h"
 #include "vtkUniformGrid.h"
 #include "vtkUnsignedCharArray.h"
+#include "vtkUnsignedShortArray.h"
 
 #include "math/Require.h"
 #include "optimize/Solver.h"
@@ -184,7 +186,15 @@ vtkSmartPointer<vtkFloatArray> ConvertField(
       << expected << (source.onCells ? " cells" : " points")
       << " (values cannot be assigned to positions). Give an array with one value for each.");
 
-  if (source.onCells)
+  if (source.structures)
+  {
+    const vtkSmartPointer<vtkUnsignedShortArray> rows = RowsAtPoints(image, source);
+    std::transform(rows->GetPointer(0), rows->GetPointer(0) + rows->GetNumberOfTuples(),
+      field->GetPointer(0),
+      [&source](StructureRow row)
+      { return static_cast<float>(source.structures->ImportanceOf(row)); });
+  }
+  else if (source.onCells)
   {
     const vtkSmartPointer<vtkFloatArray> averaged = AverageToPoints(image, source);
     MapArray(averaged, MagnitudeComponent, source.mapping, field->GetPointer(0));

@@ -16,6 +16,7 @@
 #include "optimize/SceneFields.h"
 
 #include <array>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,7 @@ class vtkImageData;
 namespace limpid
 {
 struct Grid;
+class Structures;
 
 /// An array of the image and the component to use.
 struct FieldSource
@@ -33,6 +35,10 @@ struct FieldSource
   bool onCells = false; ///< whether it is a cell array, which is averaged to the points first
   int component = MagnitudeComponent;
   ScalarMapping mapping = KeepValue();
+
+  /// Structures whose labels the values are, which are never averaged or interpolated; null: the
+  /// values are numbers.
+  std::shared_ptr<const Structures> structures = nullptr;
 };
 
 /// An extinction for each GivenReference [1/length]; null: not given.
@@ -70,7 +76,8 @@ Grid GridOfExtent(const int extent[6], const ImagePlacement& placement);
 /// Gives references to a scene, which does not own them.
 VTKLIMPIDFILTERS_EXPORT void SetReferences(const References& references, SceneFields& scene);
 
-/// Returns a field at the points of the image; NaN where it has no finite value.
+/// Returns a field at the points of the image; NaN where it has no finite value. Of labels, that is
+/// the importance of their structures.
 VTKLIMPIDFILTERS_EXPORT vtkSmartPointer<vtkFloatArray> ConvertField(
   vtkImageData* image, const FieldSource& source, const char* name);
 

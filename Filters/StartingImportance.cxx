@@ -53,6 +53,10 @@ bool ImportanceChoice::IsAssumed(vtkVisibilitySettings* settings) const
 FieldSource ImportanceChoice::Source(
   vtkVisibilitySettings* settings, const ScalarMapping& assumed, vtkImageData* image) const
 {
+  if (this->labels.array)
+  {
+    return this->labels;
+  }
   FieldSource source = this->IsOfScalars() ? this->scalars : this->array;
   LIMPID_REQUIRE(source.array,
     "The importance array \"" << this->name

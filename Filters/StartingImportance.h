@@ -30,10 +30,10 @@ VTKLIMPIDFILTERS_EXPORT ScalarMapping MappingOf(const ImportanceRamp& ramp);
 VTKLIMPIDFILTERS_EXPORT std::string WarningOf(const ImportanceRamp& ramp);
 
 /**
- * The source of importance, for mappers and filters alike: an array, or, if no array was chosen,
- * the scalars. ImportanceFunction maps the values if UseImportanceFunction is on. If it is off, the
- * values of an array are the importance, and for scalars the largest values are assumed to be
- * important.
+ * The source of importance, for mappers and filters alike: labels of structures, an array, or, if
+ * neither was chosen, the scalars. ImportanceFunction maps the values if UseImportanceFunction is
+ * on. If it is off, the values of an array are the importance, and for scalars the largest values
+ * are assumed to be important.
  */
 struct VTKLIMPIDFILTERS_EXPORT ImportanceChoice
 {
@@ -41,8 +41,12 @@ struct VTKLIMPIDFILTERS_EXPORT ImportanceChoice
   std::string name;      ///< name of the requested array
   bool isChosen = false; ///< whether a user chose it; if not, the scalars may stand in
   FieldSource scalars;   ///< null: there are no scalars
+  FieldSource labels;    ///< of structures, which replace the array; null: not chosen
 
-  bool IsOfScalars() const { return !this->array.array && !this->isChosen && this->scalars.array; }
+  bool IsOfScalars() const
+  {
+    return !this->labels.array && !this->array.array && !this->isChosen && this->scalars.array;
+  }
 
   /// Returns whether MappingOf(StartingImportance) is needed.
   bool IsAssumed(vtkVisibilitySettings* settings) const;

@@ -8,6 +8,7 @@
 #include "Memory.h"
 #include "SettingsConversion.h"
 #include "SharedArray.h"
+#include "StructureLabels.h"
 
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
@@ -257,9 +258,12 @@ void vtkVisibilityAlgorithm::SceneReader::Warn(
   {
     vtkWarningWithObjectMacro(this->Self, << limpid::WarningOf(*assumed.importance));
   }
-  if (!scene.arrays.Warning().empty())
+  for (const std::string& warning : { scene.warning, scene.arrays.Warning() })
   {
-    vtkWarningWithObjectMacro(this->Self, << scene.arrays.Warning());
+    if (!warning.empty())
+    {
+      vtkWarningWithObjectMacro(this->Self, << warning);
+    }
   }
 }
 
@@ -303,7 +307,8 @@ limpid::SceneArrays vtkVisibilityAlgorithm::SceneReader::Convert(vtkImageData* i
   {
     scene.taken.push_back(extinction.array);
   }
-  if (!assumed.importance && !this->Self->GetUseImportanceFunction() &&
+  scene.warning = limpid::WarningOf(importance);
+  if (!assumed.importance && !importance.structures && !this->Self->GetUseImportanceFunction() &&
     importance.array->GetNumberOfComponents() == 1)
   {
     scene.taken.push_back(importance.array);
@@ -353,7 +358,9 @@ limpid::ImportanceChoice vtkVisibilityAlgorithm::SceneReader::ChooseImportance(
   choice.name = name.empty() ? "Importance" : name;
   choice.isChosen = !name.empty();
   choice.array = this->FindArray(1, "Importance", input);
-  if (!choice.array.array && !choice.isChosen && this->FindArray(0, nullptr, input).array)
+  choice.labels = limpid::StructureSource(this->Self, this->Self->Settings, input);
+  if (!choice.labels.array && !choice.array.array && !choice.isChosen &&
+    this->FindArray(0, nullptr, input).array)
   {
     choice.scalars = this->Scalars(input);
   }

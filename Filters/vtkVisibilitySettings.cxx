@@ -14,6 +14,8 @@
 #include <cmath>
 #include <exception>
 #include <iterator>
+#include <limits>
+#include <locale>
 #include <sstream>
 
 vtkStandardNewMacro(vtkVisibilitySettings);
@@ -113,6 +115,53 @@ const char* vtkVisibilitySettings::GetPresetName(int index)
   return isThere ? limpid::settingsPresets[index].name : nullptr;
 }
 
+void vtkVisibilitySettings::AddStructure(
+  const char* label, const char* name, const char* importance, const char* target)
+{
+  const auto text = [](const char* given) { return std::string(given ? given : ""); };
+  this->StructureTexts.push_back({ text(label), text(name), text(importance), text(target) });
+  this->StructuresTime.Modified();
+  this->Modified();
+}
+
+void vtkVisibilitySettings::AddStructure(
+  vtkIdType label, const char* name, double importance, double target)
+{
+  const auto text = [](double number)
+  {
+    std::ostringstream stream;
+    stream.imbue(std::locale::classic());
+    stream.precision(std::numeric_limits<double>::max_digits10);
+    stream << number;
+    return stream.str();
+  };
+  this->AddStructure(std::to_string(label).c_str(), name, text(importance).c_str(),
+    target < 0 ? "" : text(target).c_str());
+}
+
+void vtkVisibilitySettings::RemoveAllStructures()
+{
+  if (!this->StructureTexts.empty())
+  {
+    this->StructureTexts.clear();
+    this->StructuresTime.Modified();
+    this->Modified();
+  }
+}
+
+int vtkVisibilitySettings::GetNumberOfStructures()
+{
+  return static_cast<int>(this->StructureTexts.size());
+}
+
+const char* vtkVisibilitySettings::GetStructureText(int row, int column)
+{
+  const bool isThere = row >= 0 && row < this->GetNumberOfStructures() && column >= 0 && column < 4;
+  return isThere
+    ? this->StructureTexts[static_cast<std::size_t>(row)][static_cast<std::size_t>(column)].c_str()
+    : nullptr;
+}
+
 vtkMTimeType vtkVisibilitySettings::GetMTime()
 {
   const vtkMTimeType time = this->Superclass::GetMTime();
@@ -127,4 +176,5 @@ void vtkVisibilitySettings::PrintSelf(ostream& os, vtkIndent indent)
 #define LIMPID_PRINT(name) print(#name, this->name);
   LIMPID_EVERY_VISIBILITY_SETTING(LIMPID_PRINT);
 #undef LIMPID_PRINT
+  print("NumberOfStructures", this->GetNumberOfStructures());
 }

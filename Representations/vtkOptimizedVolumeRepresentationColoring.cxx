@@ -120,7 +120,7 @@ vtkDataArray* vtkOptimizedVolumeRepresentation::ApplyScalars(
       scalars.onCells ? VTK_SCALAR_MODE_USE_CELL_FIELD_DATA : VTK_SCALAR_MODE_USE_POINT_FIELD_DATA);
   }
   this->ApplyImportance(image, scalars);
-  limpid::CopyReferences(this, this->State->Mapper);
+  limpid::CopyFurtherArrays(this, this->State->Mapper);
   return scalars.array;
 }
 

@@ -11,6 +11,7 @@
 #include "SettingsConversion.h"
 #include "SharedArray.h"
 #include "SharedView.h"
+#include "StructureLabels.h"
 
 #include "vtkDataArray.h"
 #include "vtkDataObject.h"
@@ -146,6 +147,7 @@ limpid::ImportanceChoice vtkTransmittanceVolumeMapper::Internals::ChooseImportan
   choice.array = this->GivenImportance(image);
   choice.isChosen = !given.empty();
   choice.scalars = scalars;
+  choice.labels = limpid::StructureSource(this->Self, this->Self->Settings, image);
   if (this->Self->AssumedImportance && choice.isChosen && choice.array.array == scalars.array)
   {
     choice.array.array = nullptr;
@@ -185,7 +187,13 @@ vtkTransmittanceVolumeMapper::Internals::ImportanceOf(
   vtkVisibilitySettings* settings = this->Self->Settings;
   vtkPiecewiseFunction* given = this->Self->AssumedImportance;
   Importance importance;
-  if (!choice.IsAssumed(settings))
+  if (choice.labels.array)
+  {
+    importance.source = choice.labels;
+    importance.functionTime = settings->GetStructuresMTime();
+    importance.warning = limpid::WarningOf(choice.labels);
+  }
+  else if (!choice.IsAssumed(settings))
   {
     vtkPiecewiseFunction* function = settings->GetImportanceFunction();
     importance.source = choice.Source(settings, limpid::KeepValue(), image);

@@ -240,6 +240,56 @@ class TestReference(unittest.TestCase):
             optimize(reference_pull=1)
 
 
+class TestStructures(unittest.TestCase):
+    def labels(self, kind):
+        """Two structures with gaps between their numbers, and where they are."""
+        g = phantom.fields()[1]
+        return np.where(g > 0.6, 1034, np.where(g > 0, 3, 0)).astype(kind)
+
+    def test_are_important_as_they_are_said_to_be(self):
+        mu, _ = phantom.fields()
+        for kind in (np.uint16, np.int64, np.float64):
+            labels = self.labels(kind)
+            by_labels = limpid.optimize(extinction=mu, structures=labels,
+                                        importance={1034: 1, 3: 0.25, 7: 1}, **VIEW)
+            importance = np.where(labels == 1034, 1, np.where(labels == 3, 0.25, 0))
+            by_importance = limpid.optimize(extinction=mu, importance=importance, **VIEW)
+
+            np.testing.assert_array_equal(by_labels.extinction, by_importance.extinction)
+
+    def test_are_all_important_if_nobody_says_more(self):
+        mu, _ = phantom.fields()
+        labels = self.labels(np.int32)
+        with self.assertWarnsRegex(UserWarning, "all labels but 0"):
+            by_labels = limpid.optimize(extinction=mu, structures=labels, **VIEW)
+        by_importance = limpid.optimize(extinction=mu, importance=labels > 0, **VIEW)
+
+        np.testing.assert_array_equal(by_labels.extinction, by_importance.extinction)
+
+    def test_are_searched_too(self):
+        mu, _ = phantom.fields()
+        labels = self.labels(np.int32)
+        by_labels, by_importance = (
+            limpid.viewpoints(extinction=mu, sampling="fibonacci", number_of_directions=12,
+                              refine=False, **importance)
+            for importance in ({"structures": labels, "importance": {3: 1}},
+                               {"importance": labels == 3}))
+
+        np.testing.assert_array_equal(by_labels.visibility_scores, by_importance.visibility_scores)
+
+    def test_with_mistakes_are_refused(self):
+        mu, _ = phantom.fields()
+        labels = self.labels(np.float64)
+        for importance, words in (({3: 2}, "The importance of the structure 3 is 2"),
+                                  ({"liver": 1}, "A label of importance is 'liver'"),
+                                  (np.zeros(mu.shape), "Give a mapping")):
+            with self.subTest(words), self.assertRaisesRegex(ValueError, words):
+                limpid.optimize(extinction=mu, structures=labels, importance=importance, **VIEW)
+        labels[3, 4, 5] = 2.5
+        with self.assertRaisesRegex(ValueError, "structures have the value 2.5"):
+            limpid.optimize(extinction=mu, structures=labels, importance={3: 1}, **VIEW)
+
+
 class TestAssumedImportance(unittest.TestCase):
     def assumed(self, values, **arguments):
         """The importance and the text of the warning."""

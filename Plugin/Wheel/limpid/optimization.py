@@ -87,8 +87,8 @@ def require_one_camera(settings, before):
 def optimize(volume=None, *, scalars=None, importance=None, importance_function=None,
              extinction=None, extinction_function=None, opacity_function=None, unit_distance=None,
              spacing=None, origin=None, direction=None, camera=None, light=None,
-             importance_component=None, optimize_viewpoint=False, viewpoint_guide="attainable",
-             reference=None, previous=(), progress=None, **settings):
+             importance_component=None, structures=None, optimize_viewpoint=False,
+             viewpoint_guide="attainable", reference=None, previous=(), progress=None, **settings):
     """Finds the extinction that minimises Eq. (21) for one camera and one light.
 
     Arrays have one number per point, shape (X, Y, Z), indexed [x, y, z]; those of images may be
@@ -108,6 +108,9 @@ def optimize(volume=None, *, scalars=None, importance=None, importance_function=
     importance_function: nodes [value, importance] that map `importance` to [0, 1].
     importance_component: of an importance with several values per point, (X, Y, Z, components):
         which of them, from 0 on, or -1 for the length of the tuple; None: there is one.
+    structures: labels of a segmentation, whole numbers: an array, or the name of one of the
+        image's. Then `importance` is {label: importance}; other labels have none. None: all labels
+        but 0 are important, with a warning. Labels are never interpolated, their importance is.
     extinction: an array of the base extinction, or a name [1/length].
     extinction_function: nodes [scalar, extinction], in place of `extinction` [1/length].
     opacity_function: nodes [scalar, opacity on one unit distance], in place of both. None of the
@@ -145,7 +148,7 @@ def optimize(volume=None, *, scalars=None, importance=None, importance_function=
         require_one_camera(settings, before)
     scene = scene_of(volume, scalars, importance, importance_function, extinction,
                      extinction_function, opacity_function, unit_distance, spacing, origin,
-                     direction, importance_component, before.layout())
+                     direction, importance_component, structures, before.layout())
     before.require_box(scene.grid)
     scene.warn_of_nothing_to_see("there is nothing to clear the view for: the extinction stays as "
                                  "it is")

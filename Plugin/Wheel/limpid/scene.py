@@ -13,6 +13,7 @@ from .arguments import warn, whole_number
 from .fields import Layout, converted, corrected, emptied, mapped
 from .functions import ExtinctionOfOpacity, PiecewiseLinear
 from .grid import Grid
+from .structures import importance_of
 from .volume import Volume
 
 
@@ -138,7 +139,7 @@ def assumed_importance(scalars, mask):
 
 def scene_of(volume, scalars=None, importance=None, importance_function=None, extinction=None,
              extinction_function=None, opacity_function=None, unit_distance=None, spacing=None,
-             origin=None, direction=None, importance_component=None, layout=None):
+             origin=None, direction=None, importance_component=None, structures=None, layout=None):
     """A Scene from the arguments that optimize documents. Raises ValueError.
 
     layout: that the fields are wanted in; None: the one that takes fewest copies.
@@ -148,12 +149,17 @@ def scene_of(volume, scalars=None, importance=None, importance_function=None, ex
             "importance_component", importance_component, -1, 2 ** 31 - 1,
             "components are numbered from 0",
             "Give one of these, or -1 for the length of the tuple.")
+    shares = importance if structures is not None else None
+    importance = structures if structures is not None else importance
     source = Volume(volume, [scalars, extinction, importance], spacing, origin, direction)
     distance = unit_distance_of(unit_distance, source.grid)
     function = extinction_function_of(extinction_function, opacity_function, distance)
     if extinction is not None and function is not None:
         raise ValueError("extinction and a function of the scalars are given (both define the base "
                          "extinction). Give one of them.")
+    if structures is not None and importance_function is not None:
+        raise ValueError("structures and importance_function are given (both define the "
+                         "importance). Give one of them.")
 
     own_extinction = extinction is not None
     mu = source.field("extinction", extinction) if own_extinction else \
@@ -163,7 +169,8 @@ def scene_of(volume, scalars=None, importance=None, importance_function=None, ex
     if assumes or importance is None and importance_function is not None:
         g = source.field("scalar", scalars, component=importance_component)
     else:
-        g = source.field("importance", importance, "Importance", importance_component)
+        role = "importance" if structures is None else "structure"
+        g = source.field(role, importance, "Importance", importance_component)
     if assumes:
         importance_function = assumed_importance(g, source.mask)
     data = (mu, g)
@@ -174,7 +181,9 @@ def scene_of(volume, scalars=None, importance=None, importance_function=None, ex
         mu = converted(mu, layout)
     else:
         mu = mapped(mu, function or ramp_of(mu, source.mask, distance), layout)
-    if importance_function is None:
+    if structures is not None:
+        g = importance_of(g, shares, layout)
+    elif importance_function is None:
         g = converted(g, layout)
     else:
         g = mapped(g, PiecewiseLinear("importance_function", importance_function, -math.inf,

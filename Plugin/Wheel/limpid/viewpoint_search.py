@@ -180,7 +180,7 @@ def settings_of_search(given):
 def viewpoints(volume=None, *, scalars=None, importance=None, importance_function=None,
                extinction=None, extinction_function=None, opacity_function=None,
                unit_distance=None, spacing=None, origin=None, direction=None,
-               importance_component=None, field="attainable", sampling="icosphere",
+               importance_component=None, structures=None, field="attainable", sampling="icosphere",
                number_of_directions=642, camera_focal_point=None, camera_distance=3.0,
                camera_view_angle=30.0, camera_parallel_projection=False, camera_aspect_ratio=1.0,
                camera_view_up=(0, 1, 0), elevation_range=(-90, 90), avoided_directions=(),
@@ -193,7 +193,7 @@ def viewpoints(volume=None, *, scalars=None, importance=None, importance_functio
     the ranked viewpoints stand in the same directions, where the volume's box fills 95 % of the
     width or height of their pictures.
 
-    volume ... importance_component: as for optimize.
+    volume ... structures: as for optimize.
     field: the extinction that is looked at. "attainable": one of its own for every ray, the best
         that there is: no optimisation for the view could show more, and it nearly reaches that.
         "importance_proxy": the majorant of Eq. (25) times importance, as if nothing else were
@@ -241,7 +241,7 @@ def viewpoints(volume=None, *, scalars=None, importance=None, importance_functio
     search = search_settings(number_of_viewpoints, separation_angle, refine, directions, allowed)
     scene = scene_of(volume, scalars, importance, importance_function, extinction,
                      extinction_function, opacity_function, unit_distance, spacing, origin,
-                     direction, importance_component)
+                     direction, importance_component, structures)
     orbit = orbit_of(scene.grid, camera_focal_point, camera_distance, camera_view_angle,
                      camera_parallel_projection, camera_aspect_ratio, up)
     found = _core.search_viewpoints(*scene.in_core(), scene.majorant, proxy_of(scene, field),

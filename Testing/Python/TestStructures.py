@@ -1,0 +1,240 @@
+# SPDX-FileCopyrightText: Copyright (c) Limpid developers
+# SPDX-License-Identifier: BSD-3-Clause
+
+# Labels of structures in place of an importance, in filters and mapper: what is important, and what
+# is said about labels and structures that are none.
+
+import unittest
+
+import numpy as np
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import vtkDataObject
+
+from limpid.vtkLimpidFilters import vtkExtinctionOptimizer, vtkViewpointSearch
+
+from images import FilterTest, filter_on, image_of, phantom, values
+from mapper_tests import MapperTest, show
+
+LABELS = 3  # input array of the labels
+POINTS, CELLS = vtkDataObject.FIELD_ASSOCIATION_POINTS, vtkDataObject.FIELD_ASSOCIATION_CELLS
+
+
+def add(data, name, array):
+    array = numpy_to_vtk(np.ascontiguousarray(array), deep=1)
+    array.SetName(name)
+    data.AddArray(array)
+
+
+def labelled(labels, on_cells=False):
+    """An image of unit extinction with labels, indexed [x, y, z]."""
+    shape = np.add(labels.shape, 1) if on_cells else labels.shape
+    image = image_of(shape, BaseExtinction=np.ones(np.prod(shape), np.float32))
+    data = image.GetCellData() if on_cells else image.GetPointData()
+    add(data, "Labels", labels.ravel(order="F"))
+    return image
+
+
+def optimizer(image, *structures, on_cells=False, filter_class=vtkExtinctionOptimizer, **properties):
+    """A filter whose structures are (label, name, importance, target)."""
+    result = filter_on(image, filter_class, **properties)
+    result.SetInputArrayToProcess(LABELS, 0, 0, CELLS if on_cells else POINTS, "Labels")
+    for structure in structures:
+        result.AddStructure(*structure)
+    return result
+
+
+class StructuresTest(FilterTest):
+    def importance(self, image, *structures, **arguments):
+        """The importance that the filter has used, indexed [x, y, z]."""
+        result = optimizer(image, *structures, MaximumIterations=0, **arguments)
+        result.Update()
+        self.assert_no_error(result)
+        return values(result.GetOutput(), "Importance").reshape(image.GetDimensions(), order="F")
+
+    def error(self, image, *structures, **arguments):
+        result = optimizer(image, *structures, **arguments)
+        result.Update()
+        self.assertEqual(len(result.messages["ErrorEvent"]), 1)
+        return result.messages["ErrorEvent"][0]
+
+
+class TestLabels(StructuresTest):
+    def test_with_gaps_have_the_importance_of_their_structures(self):
+        labels = np.random.default_rng(1).choice([0, 3, 1034, 65535], (7, 5, 6))
+        for kind in (np.uint16, np.int32, np.uint32, np.int64, np.float32, np.float64):
+            with self.subTest(kind=kind):
+                found = self.importance(labelled(labels.astype(kind)), (3, "a", 1.0),
+                                        (65535, "b", 0.25))
+
+                np.testing.assert_array_equal(
+                    found, np.where(labels == 3, 1, np.where(labels == 65535, 0.25, 0)))
+
+    def test_of_eight_bits_and_below_zero_count(self):
+        labels = np.random.default_rng(2).integers(-3, 4, (6, 5, 4))
+        found = self.importance(labelled(labels.astype(np.int8)), (-2, "a", 0.5), (3, "b", 1.0))
+
+        np.testing.assert_array_equal(found, np.where(labels == -2, 0.5, labels == 3))
+
+    def test_that_touch_do_not_become_those_between(self):
+        labels = np.full((8, 6, 6), 1)
+        labels[4:] = 3
+        self.assertEqual(self.importance(labelled(labels), (2, "between", 1.0)).max(), 0)
+
+    def test_that_are_nan_are_none(self):
+        labels = np.full((6, 6, 6), 2.0)
+        labels[3:] = np.nan
+        image = labelled(labels)
+        found = self.importance(image, (2, "a", 1.0))
+
+        np.testing.assert_array_equal(found, np.where(labels == 2, 1, 0))
+
+    def test_on_cells_are_those_of_the_majority(self):
+        random = np.random.default_rng(3)
+        labels = random.choice([0, 3, 9], (5, 4, 6))
+        found = self.importance(labelled(labels, on_cells=True), (3, "a", 1.0), (9, "b", 0.5),
+                                on_cells=True)
+
+        for point in np.ndindex(*found.shape):
+            around = labels[tuple(slice(max(i - 1, 0), i + 1) for i in point)].ravel()
+            counts = [np.count_nonzero(around == label) for label in (3, 9, 0)]
+            self.assertEqual(found[point], (1, 0.5, 0)[int(np.argmax(counts))], point)
+
+    def test_one_cell_thin_have_points(self):
+        labels = np.zeros((6, 6, 6), np.uint8)
+        labels[3] = 7
+        found = self.importance(labelled(labels, on_cells=True), (7, "sheet", 1.0), on_cells=True)
+
+        np.testing.assert_array_equal(np.flatnonzero(found.max(axis=(1, 2))), [3, 4])
+
+    def test_that_are_no_whole_numbers_are_refused(self):
+        labels = np.full((5, 5, 5), 2.0)
+        labels[1, 2, 3] = 2.5
+        self.assertIn('The structure array "Labels" has the value 2.5',
+                      self.error(labelled(labels), (2, "a", 1.0)))
+
+    def test_that_are_missing_are_refused(self):
+        image = image_of((5, 5, 5), BaseExtinction=np.ones(125))
+        self.assertIn('The structure array "Labels" is not among',
+                      self.error(image, (2, "a", 1.0)))
+
+    def test_with_several_components_are_refused(self):
+        image = image_of((5, 5, 5), BaseExtinction=np.ones(125), Labels=np.ones((125, 3), int))
+        self.assertIn('The structure array "Labels" has 3 components',
+                      self.error(image, (2, "a", 1.0)))
+
+
+class TestTable(StructuresTest):
+    def image(self):
+        labels = np.zeros((6, 6, 6), int)
+        labels[2:4], labels[4:] = 1, 2
+        return labelled(labels)
+
+    def test_takes_texts_as_properties_have_them(self):
+        found = self.importance(self.image(), ("1", "a", "0.5", ""), ("2", "b", "1", "0.9"))
+
+        np.testing.assert_array_equal(found[:, 0, 0], [0, 0, 0.5, 0.5, 1, 1])
+
+    def test_without_rows_makes_all_labels_important_and_says_so(self):
+        result = optimizer(self.image(), MaximumIterations=0)
+        result.Update()
+
+        np.testing.assert_array_equal(
+            values(result.GetOutput(), "Importance"), values(self.image(), "Labels") > 0)
+        self.assertEqual(len(result.messages["WarningEvent"]), 1)
+        self.assertIn("all labels but 0 are equally important", result.messages["WarningEvent"][0])
+
+    def test_that_is_changed_is_a_new_run(self):
+        result = optimizer(self.image(), (1, "a", 1.0), MaximumIterations=0)
+        result.Update()
+        result.RemoveAllStructures()
+        result.AddStructure(2, "b", 1.0)
+        result.Update()
+
+        np.testing.assert_array_equal(
+            values(result.GetOutput(), "Importance"), values(self.image(), "Labels") == 2)
+
+    def test_with_mistakes_is_refused_in_words(self):
+        for words, structures in {
+                "has the label \"liver\"": [("liver", "1", "1", "")],
+                "The importance of the structure \"a\" is \"high\"": [("1", "a", "high", "")],
+                "The target of the structure \"a\" is 1.5": [(1, "a", 1.0, 1.5)],
+                "The importance of the structure \"a\" is 2": [(1, "a", 2.0)],
+                "Two structures have the label 1": [(1, "a", 1.0), (1, "b", 1.0)],
+                "Two structures have the name \"a\"": [(1, "a", 1.0), (2, "a", 1.0)]}.items():
+            with self.subTest(words):
+                self.assertIn(words, self.error(self.image(), *structures))
+
+    def test_can_be_read_back(self):
+        settings = optimizer(self.image(), (1, "a", 0.1, 0.9), ("2", "b", "1", "")) \
+            .GetVisibilitySettings()
+
+        self.assertEqual(
+            [[settings.GetStructureText(row, column) for column in range(4)] for row in range(2)],
+            [["1", "a", "0.10000000000000001", "0.90000000000000002"], ["2", "b", "1", ""]])
+
+
+def labelled_phantom():
+    """The phantom, and structures that say the same as its importance."""
+    image = phantom(20)
+    importance = values(image, "Importance")
+    shares = [share for share in np.unique(importance) if share > 0]
+    labels = np.zeros(importance.shape, np.int32)
+    for number, share in enumerate(shares, 1):
+        labels[importance == share] = 10 * number
+    add(image.GetPointData(), "Labels", labels)
+    return image, [(10 * number, f"structure {number}", float(share))
+                   for number, share in enumerate(shares, 1)]
+
+
+class TestScenes(StructuresTest):
+    def test_are_optimised_as_by_an_importance(self):
+        image, structures = labelled_phantom()
+        by_labels = optimizer(image, *structures)
+        by_importance = filter_on(image, vtkExtinctionOptimizer)
+        for one in (by_labels, by_importance):
+            one.Update()
+            self.assert_no_error(one)
+
+        for name in ("Extinction", "Importance"):
+            np.testing.assert_array_equal(values(by_labels.GetOutput(), name),
+                                          values(by_importance.GetOutput(), name))
+
+    def test_are_searched_as_by_an_importance(self):
+        image, structures = labelled_phantom()
+        by_labels = optimizer(image, *structures, filter_class=vtkViewpointSearch)
+        by_importance = filter_on(image, vtkViewpointSearch)
+        for one in (by_labels, by_importance):
+            one.Update()
+
+        np.testing.assert_array_equal(
+            vtk_to_numpy(by_labels.GetOutput().GetPointData().GetArray("VisibilityScore")),
+            vtk_to_numpy(by_importance.GetOutput().GetPointData().GetArray("VisibilityScore")))
+
+
+class TestMapper(MapperTest):
+    def test_are_drawn_as_by_an_importance(self):
+        image, structures = labelled_phantom()
+        view, mapper = show(image)
+        expected = view.picture()
+        fraction = mapper.GetVisibleFraction()
+        view, mapper = show(image)
+        mapper.SetInputArrayToProcess(LABELS, 0, 0, POINTS, "Labels")
+        for structure in structures:
+            mapper.AddStructure(*structure)
+
+        np.testing.assert_array_equal(view.picture(), expected)
+        self.assertEqual(mapper.GetVisibleFraction(), fraction)
+        self.assert_fine(view)
+
+        mapper.RemoveAllStructures()
+        self.assert_says(view, "all labels but 0 are equally important")
+        view.messages.clear()
+        mapper.AddStructure("x", "a", "1", "")
+        self.assert_says(view, 'has the label "x"')
+        view.messages.clear()
+        mapper.SetInputArrayToProcess(LABELS, 0, 0, POINTS, "Absent")
+        self.assert_says(view, 'The structure array "Absent" is not among')
+
+
+if __name__ == "__main__":
+    unittest.main()
