@@ -16,7 +16,6 @@
 #include "vtkPointData.h"
 #include "vtkUniformGrid.h"
 #include "vtkUnsignedCharArray.h"
-#include "vtkUnsignedShortArray.h"
 
 #include "math/Require.h"
 #include "optimize/Solver.h"
@@ -75,6 +74,14 @@ bool AreWithin(vtkFloatArray* array, float largest)
     outside |= bits > largestBits ? 1U : 0U;
   }
   return outside == 0;
+}
+
+// Sets the importance of each point to that of its structure.
+void SetImportance(const Structures& structures, vtkUnsignedShortArray* rows, vtkFloatArray* field)
+{
+  const StructureRow* begin = rows->GetPointer(0);
+  std::transform(begin, begin + rows->GetNumberOfTuples(), field->GetPointer(0),
+    [&structures](StructureRow row) { return static_cast<float>(structures.ImportanceOf(row)); });
 }
 
 // Makes points without a share empty.
@@ -188,11 +195,7 @@ vtkSmartPointer<vtkFloatArray> ConvertField(
 
   if (source.structures)
   {
-    const vtkSmartPointer<vtkUnsignedShortArray> rows = RowsAtPoints(image, source);
-    std::transform(rows->GetPointer(0), rows->GetPointer(0) + rows->GetNumberOfTuples(),
-      field->GetPointer(0),
-      [&source](StructureRow row)
-      { return static_cast<float>(source.structures->ImportanceOf(row)); });
+    SetImportance(*source.structures, RowsAtPoints(image, source), field);
   }
   else if (source.onCells)
   {
@@ -218,7 +221,16 @@ SceneArrays ConvertScene(
 {
   SceneArrays arrays;
   arrays.baseExtinction = ConvertField(image, extinction, "BaseExtinction");
-  arrays.importance = ConvertField(image, importance, "Importance");
+  if (importance.structures)
+  {
+    arrays.structureRows = RowsAtPoints(image, importance);
+    arrays.importance = NewArray<vtkFloatArray>("Importance", image->GetNumberOfPoints());
+    SetImportance(*importance.structures, arrays.structureRows, arrays.importance);
+  }
+  else
+  {
+    arrays.importance = ConvertField(image, importance, "Importance");
+  }
   const Blanking blanking(image);
   const std::vector<float> ofExtinction = blanking.Shares(extinction.onCells);
   const std::vector<float> ofImportance = blanking.Shares(importance.onCells);

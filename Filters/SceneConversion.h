@@ -12,6 +12,7 @@
 #include "vtkLimpidFiltersModule.h" // for export macro
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
+#include "vtkUnsignedShortArray.h"
 
 #include "optimize/SceneFields.h"
 
@@ -50,10 +51,11 @@ struct VTKLIMPIDFILTERS_EXPORT SceneArrays
   vtkSmartPointer<vtkFloatArray> baseExtinction; ///< [1/length]
   vtkSmartPointer<vtkFloatArray> importance;     ///< [0, 1]
   References references;
-  vtkIdType invalidPoints = 0;  ///< NaN or infinity; become empty
-  vtkIdType negativePoints = 0; ///< extinction below zero; become empty
-  vtkIdType clampedPoints = 0;  ///< importance outside [0, 1]; clamped
-  vtkIdType allPoints = 0;      ///< what these counts are out of; 0: all here
+  vtkSmartPointer<vtkUnsignedShortArray> structureRows; ///< see Structures; null: no structures
+  vtkIdType invalidPoints = 0;                          ///< NaN or infinity; become empty
+  vtkIdType negativePoints = 0;                         ///< extinction below zero; become empty
+  vtkIdType clampedPoints = 0;                          ///< importance outside [0, 1]; clamped
+  vtkIdType allPoints = 0; ///< what these counts are out of; 0: all here
 
   /// Returns a warning about values that were not used as they are; may be empty.
   std::string Warning() const;

@@ -16,7 +16,6 @@
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkUnsignedCharArray.h"
-#include "vtkUnsignedShortArray.h"
 
 #include "math/Require.h"
 

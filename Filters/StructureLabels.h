@@ -16,7 +16,6 @@
 
 class vtkAlgorithm;
 class vtkImageData;
-class vtkUnsignedShortArray;
 class vtkVisibilitySettings;
 
 namespace limpid

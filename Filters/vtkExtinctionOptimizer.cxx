@@ -11,6 +11,7 @@
 #include "OwnArrays.h"
 #include "PropertyPrinter.h"
 #include "SettingsConversion.h"
+#include "StructureTable.h"
 #include "Vectors.h"
 #include "vtkVisibilityAlgorithmScene.h"
 
@@ -95,6 +96,8 @@ struct vtkExtinctionOptimizer::Internals
     const limpid::Light& light) const;
   void StartFromLastResult(const limpid::SceneFields& scene, limpid::Solver& solver) const;
   bool AnyRank(bool here) const { return this->Ranks->AnyOf(here); }
+  void WriteStructures(
+    const limpid::ImageScene& scene, const limpid::Solver* solver, vtkTable* table) const;
   void WriteUnsolved(const limpid::ImageScene& scene, vtkImageData* output) const;
   void ReportReplaced(
     const limpid::ImageScene& scene, vtkImageData* input, vtkImageData* output) const;
@@ -112,7 +115,7 @@ struct vtkExtinctionOptimizer::Internals
 vtkExtinctionOptimizer::vtkExtinctionOptimizer()
   : State(new Internals(this))
 {
-  this->SetNumberOfOutputPorts(2);
+  this->SetNumberOfOutputPorts(3);
 }
 
 vtkExtinctionOptimizer::~vtkExtinctionOptimizer() = default;
@@ -122,9 +125,14 @@ vtkTable* vtkExtinctionOptimizer::GetConvergence()
   return vtkTable::SafeDownCast(this->GetOutputDataObject(1));
 }
 
+vtkTable* vtkExtinctionOptimizer::GetStructureTable()
+{
+  return vtkTable::SafeDownCast(this->GetOutputDataObject(2));
+}
+
 int vtkExtinctionOptimizer::FillOutputPortInformation(int port, vtkInformation* info)
 {
-  if (port == 1)
+  if (port > 0)
   {
     info->Set(vtkDataObject::DATA_TYPE_NAME(), "vtkTable");
     return 1;
@@ -168,13 +176,14 @@ int vtkExtinctionOptimizer::RequestData(
 {
   vtkImageData* output = vtkImageData::GetData(outputVector, 0);
   vtkTable* convergence = vtkTable::GetData(outputVector, 1);
+  vtkTable* structures = vtkTable::GetData(outputVector, 2);
   try
   {
     vtkInformation* outInfo = outputVector->GetInformationObject(0);
     this->State->Ranks =
       this->State->RanksShare(outInfo) ? limpid::MakeRanks() : limpid::ThisProcess();
     limpid::NotifyingOnFailure(
-      *this->State->Ranks, [&] { this->Optimize(inputVector, output, convergence); });
+      *this->State->Ranks, [&] { this->Optimize(inputVector, output, convergence, structures); });
     KeepRequestedPiece(outInfo, SceneReader::WholeExtentOf(inputVector), output);
     return 1;
   }
@@ -193,13 +202,14 @@ int vtkExtinctionOptimizer::RequestData(
                     limpid::MemoryNeed{ this->State->BytesPerPoint(), limpid::fewerPoints }));
     output->Initialize(); // no half-optimised field
     convergence->Initialize();
+    structures->Initialize();
     return 0;
   }
 }
 
 // Converts the scene, solves it, and writes the image.
-void vtkExtinctionOptimizer::Optimize(
-  vtkInformationVector** inputVector, vtkImageData* output, vtkTable* convergence)
+void vtkExtinctionOptimizer::Optimize(vtkInformationVector** inputVector, vtkImageData* output,
+  vtkTable* convergence, vtkTable* structures)
 {
   Internals& state = *this->State;
   const limpid::Interruptible interruptible(limpid::GoOn(this));
@@ -213,6 +223,7 @@ void vtkExtinctionOptimizer::Optimize(
   if (!scene.grid.HasVolume())
   {
     state.WriteUnsolved(scene, output);
+    state.WriteStructures(scene, nullptr, structures);
     const limpid::OptimizationSummary none;
     limpid::AddSummary(none, output->GetFieldData());
     limpid::FillConvergence(none, convergence);
@@ -241,6 +252,7 @@ void vtkExtinctionOptimizer::Optimize(
   }
   state.ReportReplaced(scene, input, output);
   limpid::FillConvergence(summary, convergence);
+  state.WriteStructures(scene, result.solver.get(), structures);
   state.LastNodes = scene.grid.nodes;
   state.LastPiece = scene.Fields().piece;
   state.LastExtinction = this->WarmStart
@@ -248,6 +260,27 @@ void vtkExtinctionOptimizer::Optimize(
     : nullptr;
   const bool coherent = this->GetTemporalCoherence() > 0 && this->GetMethod() == OPTIMIZED;
   state.LastChange = coherent ? result.solver->Change() : limpid::CarriedChange();
+}
+
+// Writes what is seen of each structure; `solver`: null if nothing can be hidden.
+void vtkExtinctionOptimizer::Internals::WriteStructures(
+  const limpid::ImageScene& scene, const limpid::Solver* solver, vtkTable* table) const
+{
+  if (!scene.structures)
+  {
+    return;
+  }
+  if (!this->Ranks->IsAlone())
+  {
+    vtkWarningWithObjectMacro(this->Self,
+      << "Several processes share the image (what is seen of each structure is not computed in "
+         "distributed runs): the table Structures has no shares. Run one process for them.");
+  }
+  const bool isCounted = solver && this->Ranks->IsAlone();
+  limpid::FillStructures(*scene.structures,
+    isCounted ? solver->SharesOf(*scene.structures, scene.arrays.structureRows->GetPointer(0))
+              : std::vector<limpid::StructureShares>(),
+    table);
 }
 
 // Returns whether the light has its own extinction.

@@ -46,6 +46,15 @@
  *
  * Output port 1: vtkTable, one row per iteration.
  *
+ * Output port 2: vtkTable, one row per structure if input array 3 has labels: "Label", "Name",
+ * "Importance", "Target" (-1: none), and shares of what the data have of the structure, in [0, 1]:
+ *   "Visible", "BaseVisible": its light reaches the camera, through the result and the base
+ *     extinction,
+ *   "Removed": it was removed,
+ *   "Attainable": the bound that Visible cannot exceed from this camera, whatever is cleared,
+ *   "HiddenByOther", "HiddenBy<Name>": it is hidden by each structure; only for up to 256.
+ * Visible, Removed and all HiddenBy add up to 1. In distributed runs there are no shares.
+ *
  * After an error the outputs are empty. After an abort, output 0 is the unchanged input. An image
  * without volume (a slice, a row, a point) keeps its base extinction, with a warning.
  *
@@ -88,6 +97,9 @@ public:
    * ImportanceSmoothing, or if ViewWeight is 0, they are those of the best iterate so far.
    */
   vtkTable* GetConvergence();
+
+  /// The table on the output Structures, see above.
+  vtkTable* GetStructureTable();
 
   ///@{
   /**
@@ -213,7 +225,8 @@ private:
   int ViewpointGuide = ATTAINABLE;
   vtkTypeBool WarmStart = 0;
 
-  void Optimize(vtkInformationVector** inputVector, vtkImageData* output, vtkTable* convergence);
+  void Optimize(vtkInformationVector** inputVector, vtkImageData* output, vtkTable* convergence,
+    vtkTable* structures);
 
   struct Internals; // hides core types from this header
   std::unique_ptr<Internals> State;

@@ -206,7 +206,7 @@ limpid::ImageScene vtkVisibilityAlgorithm::SceneReader::ReadShared(
     {
       scene.arrays = empty
         ? limpid::SceneArrays{ limpid::NewArray<vtkFloatArray>("BaseExtinction", 0),
-            limpid::NewArray<vtkFloatArray>("Importance", 0), {}, 0, 0, 0 }
+            limpid::NewArray<vtkFloatArray>("Importance", 0), {}, nullptr, 0, 0, 0 }
         : this->Convert(shared.image, extinctionSource, assumed, scene);
     });
   shared.CopyFromOwners(scene.arrays.baseExtinction);
@@ -307,6 +307,7 @@ limpid::SceneArrays vtkVisibilityAlgorithm::SceneReader::Convert(vtkImageData* i
   {
     scene.taken.push_back(extinction.array);
   }
+  scene.structures = importance.structures;
   scene.warning = limpid::WarningOf(importance);
   if (!assumed.importance && !importance.structures && !this->Self->GetUseImportanceFunction() &&
     importance.array->GetNumberOfComponents() == 1)

@@ -28,8 +28,9 @@ struct ImageScene
   double unitDistance = 1; ///< unit distance of opacities [length]
   SceneArrays arrays;
   float majorant = 0; ///< majorant of the opacity function; zero: that of the arrays [1/length]
-  std::shared_ptr<const ScenePiece> piece; ///< of this rank; null: everything
-  std::string warning;                     ///< says what was assumed of structures; may be empty
+  std::shared_ptr<const ScenePiece> piece;      ///< of this rank; null: everything
+  std::shared_ptr<const Structures> structures; ///< null: importance is given otherwise
+  std::string warning; ///< says what was assumed of structures; may be empty
 
   /// Arrays of the input that are used as fields of the scene without a copy.
   std::vector<vtkDataArray*> taken;

@@ -211,6 +211,69 @@ class TestScenes(StructuresTest):
             vtk_to_numpy(by_importance.GetOutput().GetPointData().GetArray("VisibilityScore")))
 
 
+class TestShares(StructuresTest):
+    """What is seen of each structure."""
+
+    GIVEN = [(3, "rim", 0.25), (1034, "middle", 0.5), (65535, "core", 1.0)]
+
+    def run_filter(self, *structures, **properties):
+        image = phantom(20)
+        labels = np.array([0, 3, 1034, 65535])[
+            np.digitize(values(image, "Importance"), [0.01, 0.3, 0.6])]
+        add(image.GetPointData(), "Labels", labels)
+        result = optimizer(image, *(structures or self.GIVEN), **properties)
+        result.Update()
+        self.assert_no_error(result)
+        table = result.GetStructureTable()
+        columns = {table.GetColumnName(i): table.GetColumn(i) for i in range(table.GetNumberOfColumns())}
+        return result.GetOutput(), columns
+
+    def test_have_a_row_each(self):
+        _, columns = self.run_filter()
+        names = [name for _, name, _ in self.GIVEN]
+
+        self.assertEqual(vtk_to_numpy(columns["Label"]).tolist(),
+                         [label for label, _, _ in self.GIVEN])
+        self.assertEqual([columns["Name"].GetValue(i) for i in range(3)], names)
+        self.assertEqual(vtk_to_numpy(columns["Target"]).tolist(), [-1, -1, -1])
+        self.assertEqual(list(columns), [
+            "Label", "Name", "Importance", "Target", "Visible", "BaseVisible", "Removed",
+            "Attainable", "HiddenByOther", *(f"HiddenBy{name}" for name in names)])
+
+    def test_add_up(self):
+        output, columns = self.run_filter()
+        hidden = sum(vtk_to_numpy(column) for name, column in columns.items()
+                     if name.startswith("HiddenBy"))
+        visible, removed = (vtk_to_numpy(columns[name]) for name in ("Visible", "Removed"))
+
+        np.testing.assert_allclose(visible + removed + hidden, 1, atol=1e-5)  # rounding of float
+        self.assertTrue((visible <= vtk_to_numpy(columns["Attainable"]) + 1e-5).all())
+        fraction = output.GetFieldData().GetArray("VisibleFraction").GetTuple1(0)
+        self.assertTrue(visible.min() <= fraction <= visible.max())
+        self.assertGreater(visible.max(), vtk_to_numpy(columns["BaseVisible"]).max())
+
+    def test_of_one_structure_are_those_of_the_score(self):
+        output, columns = self.run_filter((65535, "core", 1.0))
+        data = output.GetFieldData()
+
+        for column, name in (("Visible", "VisibleFraction"), ("BaseVisible", "BaseVisibleFraction"),
+                             ("Removed", "SacrificedFraction"), ("Attainable", "AttainableFraction")):
+            self.assertAlmostEqual(columns[column].GetTuple1(0), data.GetArray(name).GetTuple1(0),
+                                   delta=1e-5)
+
+    def test_that_are_not_in_the_data_are_zero(self):
+        _, columns = self.run_filter((65535, "core", 1.0), (777, "nowhere", 1.0, 0.5))
+
+        for name in ("Visible", "Removed", "Attainable", "HiddenByOther"):
+            self.assertEqual(columns[name].GetTuple1(1), 0)
+        self.assertEqual(columns["Target"].GetTuple1(1), 0.5)
+
+    def test_without_labels_are_no_rows(self):
+        result = filter_on(phantom(20), vtkExtinctionOptimizer)
+        result.Update()
+        self.assertEqual(result.GetStructureTable().GetNumberOfRows(), 0)
+
+
 class TestMapper(MapperTest):
     def test_are_drawn_as_by_an_importance(self):
         image, structures = labelled_phantom()

@@ -5,6 +5,7 @@
 
 #include "math/Require.h"
 #include "optimize/SceneCeiling.h"
+#include "optimize/SceneStructures.h"
 #include "optimize/SolverInternals.h"
 
 namespace limpid
@@ -186,6 +187,14 @@ Ceiling Solver::FindCeiling() const
     ceiling.fraction = std::max(ceiling.fraction, found.fraction);
   }
   return ceiling;
+}
+
+std::vector<StructureShares> Solver::SharesOf(
+  const Structures& structures, const StructureRow* rows) const
+{
+  const Internals& state = *this->State;
+  return SharesOfStructures(*state.prepared, state.camera, state.light, state.settings, structures,
+    rows, this->Extinction().data());
 }
 
 Energy Solver::BestEnergy() const

@@ -4,6 +4,7 @@
 #ifndef limpid_optimize_Solver_h
 #define limpid_optimize_Solver_h
 
+#include "energy/StructureLedger.h"
 #include "optimize/CarriedChange.h"
 #include "optimize/FoundExtinction.h"
 #include "optimize/SceneFields.h"
@@ -88,6 +89,11 @@ public:
   /// first call. Like scores, it uses the importance as given. Zeros for a method without
   /// iterations.
   Ceiling FindCeiling() const;
+
+  /// Returns what the cameras see of each structure through Extinction(), see SharesOfStructures.
+  /// `rows`: row of the structure of each node. Not in distributed runs.
+  std::vector<StructureShares> SharesOf(
+    const Structures& structures, const StructureRow* rows) const;
 
   Energy BestEnergy() const;
   int Iterations() const;

@@ -156,13 +156,7 @@ public:
   LIMPID_HD LIMPID_INLINE PointSample SampleAt(
     const RayFields<Field>& fields, float share, int) const
   {
-    const double depth = this->Ray.layer.front + double(share) * this->Ray.layer.thickness;
-    const NodePair u = NodesAt(
-      this->Frustum.Row(this->Frustum.columnLines)[this->I].At(depth), this->Frustum.nodesU);
-    const NodePair v =
-      NodesAt(this->Frustum.Row(this->Frustum.rowLines)[this->J].At(depth), this->Frustum.nodesV);
-    const Corner corner = this->CornerAt({ u.first, u.weight }, { v.first, v.weight },
-      this->Frustum.SliceAt(this->S).FractionAt(share));
+    const Corner corner = this->CornerOf(share);
     PointSample found;
     found.extinction = this->SampleLayer(fields.extinction, corner);
     found.importance = this->InView() * this->SampleLayer(fields.importance, corner);
@@ -256,6 +250,18 @@ protected:
       row.weight, along };
   }
 
+  /// `share`: fraction of the layer's thickness.
+  LIMPID_HD LIMPID_INLINE Corner CornerOf(float share) const
+  {
+    const double depth = this->Ray.layer.front + double(share) * this->Ray.layer.thickness;
+    const NodePair u = NodesAt(
+      this->Frustum.Row(this->Frustum.columnLines)[this->I].At(depth), this->Frustum.nodesU);
+    const NodePair v =
+      NodesAt(this->Frustum.Row(this->Frustum.rowLines)[this->J].At(depth), this->Frustum.nodesV);
+    return this->CornerAt({ u.first, u.weight }, { v.first, v.weight },
+      this->Frustum.SliceAt(this->S).FractionAt(share));
+  }
+
   /// Samples a field trilinearly in the layer.
   LIMPID_HD LIMPID_INLINE float SampleLayer(Field field, const Corner& corner) const
   {
@@ -280,11 +286,18 @@ protected:
     return left + corner.sideways * (right - left);
   }
 
+  LIMPID_HD LIMPID_INLINE float InView() const
+  {
+    return this->Frustum.seesAll ? 1.0f
+                                 : this->Frustum.OfRow(this->Frustum.inView, this->J)[this->I];
+  }
+
   const FaceFrustum& Frustum;
   int I;
   int J;
   int S = 0; ///< slice in front of the layer
   RayInLayer<LayerCrossing::Clipped> Ray{};
+  Corner Corners[2]{}; ///< at the Gauss points of a layer in which the ray is active
 
 private:
   /// Prepares sampling on the plane of a Gauss point.
@@ -306,14 +319,7 @@ private:
     return this->SampleLayer(field, this->Corners[half]);
   }
 
-  LIMPID_HD LIMPID_INLINE float InView() const
-  {
-    return this->Frustum.seesAll ? 1.0f
-                                 : this->Frustum.OfRow(this->Frustum.inView, this->J)[this->I];
-  }
-
   RayStates Here;
-  Corner Corners[2]{}; ///< at the Gauss points of a layer in which the ray is active
 };
 }
 

@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "StructureTable.h"
+
+#include "vtkDoubleArray.h"
+#include "vtkIdTypeArray.h"
+#include "vtkNew.h"
+#include "vtkStringArray.h"
+#include "vtkTable.h"
+
+#include <cstddef>
+#include <string>
+
+namespace limpid
+{
+namespace
+{
+// Adds a column of valueOf(row), for the rows of structures from 1 on.
+template <class ArrayType, class ValueOf>
+void AddColumn(const std::string& name, std::size_t count, const ValueOf& valueOf, vtkTable* table)
+{
+  vtkNew<ArrayType> column;
+  column->SetName(name.c_str());
+  for (std::size_t row = 1; row <= count; ++row)
+  {
+    column->InsertNextValue(valueOf(row));
+  }
+  table->AddColumn(column);
+}
+}
+
+void FillStructures(
+  const Structures& structures, const std::vector<StructureShares>& shares, vtkTable* table)
+{
+  const std::size_t count = structures.Count();
+  const auto of = [&structures](std::size_t row) -> const Structure&
+  { return structures.At(static_cast<StructureRow>(row)); };
+  const auto addShares = [&](const std::string& name, const auto& shareOf)
+  {
+    AddColumn<vtkDoubleArray>(
+      name, shares.size(), [&](std::size_t row) { return shareOf(shares[row - 1]); }, table);
+  };
+  AddColumn<vtkIdTypeArray>(
+    "Label", count, [&](std::size_t row) { return static_cast<vtkIdType>(of(row).label); }, table);
+  AddColumn<vtkStringArray>(
+    "Name", count, [&](std::size_t row) { return of(row).NameOrLabel(); }, table);
+  AddColumn<vtkDoubleArray>(
+    "Importance", count, [&](std::size_t row) { return of(row).importance; }, table);
+  AddColumn<vtkDoubleArray>(
+    "Target", count, [&](std::size_t row) { return of(row).target.value_or(-1); }, table);
+  if (shares.empty())
+  {
+    return;
+  }
+  addShares("Visible", [](const StructureShares& here) { return here.visible; });
+  addShares("BaseVisible", [](const StructureShares& here) { return here.baseVisible; });
+  addShares("Removed", [](const StructureShares& here) { return here.removed; });
+  addShares("Attainable", [](const StructureShares& here) { return here.attainable; });
+  for (std::size_t by = 0; by < shares.front().hiddenBy.size(); ++by)
+  {
+    addShares(by == 0 ? "HiddenByOther" : "HiddenBy" + of(by).NameOrLabel(),
+      [by](const StructureShares& here) { return here.hiddenBy[by]; });
+  }
+}
+}

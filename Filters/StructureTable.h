@@ -1,0 +1,21 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef limpid_StructureTable_h
+#define limpid_StructureTable_h
+
+#include "energy/StructureLedger.h"
+
+#include <vector>
+
+class vtkTable;
+
+namespace limpid
+{
+/// Fills a table with one row per structure, see vtkExtinctionOptimizer. `shares`: in the order of
+/// the structures; empty: not known.
+void FillStructures(
+  const Structures& structures, const std::vector<StructureShares>& shares, vtkTable* table);
+}
+
+#endif

@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#ifndef limpid_optimize_SceneStructures_h
+#define limpid_optimize_SceneStructures_h
+
+#include "energy/StructureLedger.h"
+#include "optimize/PreparedScene.h"
+
+#include <vector>
+
+namespace limpid
+{
+/// Returns what the cameras of a view see of each structure, as the mean over cameras; with the
+/// samples of their scores. `rows`: row of the structure of each node; `extinction`: of the nodes
+/// [1/length]. Costs about as much as ten scores, on the processor. Not in distributed runs.
+std::vector<StructureShares> SharesOfStructures(PreparedScene& scene, const Camera& camera,
+  const Light& light, const Settings& settings, const Structures& structures,
+  const StructureRow* rows, const float* extinction);
+}
+
+#endif
