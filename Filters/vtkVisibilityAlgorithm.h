@@ -17,7 +17,8 @@
  *     95th to their 99th percentile, or above these if they lie in noise;
  *   index 2: extinction [1/length], for filters that use one; default: "BaseExtinction";
  *   index 3: labels of structures, whole numbers, which replace the importance, see AddStructure;
- *     default: none. Of cells, a point has the label of most cells around it;
+ *     default: none. Of cells, a point has the label of most cells around it. Their importance is
+ *     never smoothed, see ImportanceSmoothing;
  *   index 4: reference extinction [1/length], for ReferencePull; default: none.
  *
  * Points with a NaN or an infinite value and blanked points are empty: they have neither extinction

@@ -79,6 +79,7 @@ SceneFields ImageScene::Fields() const
   SceneFields fields{ this->grid, this->arrays.baseExtinction->GetPointer(0),
     this->arrays.importance->GetPointer(0), this->majorant };
   SetReferences(this->arrays.references, fields);
+  fields.despeckled = this->structures ? fields.importance : nullptr; // labels have no noise
   fields.piece = this->piece;
   return fields;
 }

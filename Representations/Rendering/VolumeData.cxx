@@ -410,6 +410,7 @@ void VolumeData::TakeImportance(vtkImageData* here, const FieldSource& source)
     shares = this->Shared->Extended(shares);
   }
   this->Arrays.importance = importance;
+  this->IsOfStructures = this->AnyRank(source.structures != nullptr);
   this->CorrectImportance(shares);
 }
 
@@ -452,6 +453,7 @@ SceneFields VolumeData::Scene() const
   scene.importance = this->Arrays.importance->GetPointer(0);
   scene.majorant = this->Majorant;
   SetReferences(this->Given, scene);
+  scene.despeckled = this->IsOfStructures ? scene.importance : nullptr; // labels have no noise
   return scene;
 }
 

@@ -169,6 +169,7 @@ private:
   ArrayKey ImportanceKey;
   std::uint64_t ImportanceScalars = 0; ///< version of the scalars it was computed for
   SceneArrays Arrays;                  ///< base extinction and importance
+  bool IsOfStructures = false;         ///< whether the importance is that of structures
   std::uint64_t BaseVersion = 0;       ///< version of the functions the base was computed with
   std::uint64_t ImportanceChanges = 0;
 };

@@ -15,6 +15,7 @@ from limpid.vtkLimpidFilters import vtkExtinctionOptimizer, vtkViewpointSearch
 from images import FilterTest, filter_on, image_of, phantom, values
 from mapper_tests import MapperTest, show
 
+SINGLE = float(np.finfo(np.float32).eps)
 LABELS = 3  # input array of the labels
 POINTS, CELLS = vtkDataObject.FIELD_ASSOCIATION_POINTS, vtkDataObject.FIELD_ASSOCIATION_CELLS
 
@@ -190,25 +191,44 @@ class TestScenes(StructuresTest):
     def test_are_optimised_as_by_an_importance(self):
         image, structures = labelled_phantom()
         by_labels = optimizer(image, *structures)
-        by_importance = filter_on(image, vtkExtinctionOptimizer)
+        by_importance = filter_on(image, vtkExtinctionOptimizer, ImportanceSmoothing=0)
         for one in (by_labels, by_importance):
             one.Update()
             self.assert_no_error(one)
 
         for name in ("Extinction", "Importance"):
-            np.testing.assert_array_equal(values(by_labels.GetOutput(), name),
-                                          values(by_importance.GetOutput(), name))
+            expected = values(by_importance.GetOutput(), name)
+            np.testing.assert_allclose(values(by_labels.GetOutput(), name), expected,
+                                       rtol=0, atol=16 * SINGLE * expected.max())
 
     def test_are_searched_as_by_an_importance(self):
         image, structures = labelled_phantom()
         by_labels = optimizer(image, *structures, filter_class=vtkViewpointSearch)
-        by_importance = filter_on(image, vtkViewpointSearch)
+        by_importance = filter_on(image, vtkViewpointSearch, ImportanceSmoothing=0)
         for one in (by_labels, by_importance):
             one.Update()
 
         np.testing.assert_array_equal(
             vtk_to_numpy(by_labels.GetOutput().GetPointData().GetArray("VisibilityScore")),
             vtk_to_numpy(by_importance.GetOutput().GetPointData().GetArray("VisibilityScore")))
+
+
+class TestThinStructures(StructuresTest):
+    """They are no noise, which ImportanceSmoothing removes from other importance."""
+
+    def test_are_as_important_as_others(self):
+        labels = np.zeros((24, 24, 24), np.uint8)
+        labels[:, 12, 12] = 1  # across the view
+        image = labelled(labels)
+        result = optimizer(image, (1, "line", 1.0), Preset="Default")
+        self.assertEqual(result.GetImportanceSmoothing(), result.MEDIAN)
+        result.Update()
+
+        self.assert_no_error(result)
+        data = result.GetOutput().GetFieldData()
+        base, fraction = (data.GetArray(name).GetTuple1(0)
+                          for name in ("BaseVisibleFraction", "VisibleFraction"))
+        self.assertGreater(fraction, 10 * base)
 
 
 class TestShares(StructuresTest):
@@ -277,7 +297,7 @@ class TestShares(StructuresTest):
 class TestMapper(MapperTest):
     def test_are_drawn_as_by_an_importance(self):
         image, structures = labelled_phantom()
-        view, mapper = show(image)
+        view, mapper = show(image, ImportanceSmoothing=0)
         expected = view.picture()
         fraction = mapper.GetVisibleFraction()
         view, mapper = show(image)
@@ -285,8 +305,8 @@ class TestMapper(MapperTest):
         for structure in structures:
             mapper.AddStructure(*structure)
 
-        np.testing.assert_array_equal(view.picture(), expected)
-        self.assertEqual(mapper.GetVisibleFraction(), fraction)
+        self.assertLessEqual(np.abs(view.picture().astype(int) - expected).max(), 1)  # of 255
+        self.assertAlmostEqual(mapper.GetVisibleFraction(), fraction, delta=16 * SINGLE)
         self.assert_fine(view)
 
         mapper.RemoveAllStructures()

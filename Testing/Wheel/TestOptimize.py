@@ -253,7 +253,8 @@ class TestStructures(unittest.TestCase):
             by_labels = limpid.optimize(extinction=mu, structures=labels,
                                         importance={1034: 1, 3: 0.25, 7: 1}, **VIEW)
             importance = np.where(labels == 1034, 1, np.where(labels == 3, 0.25, 0))
-            by_importance = limpid.optimize(extinction=mu, importance=importance, **VIEW)
+            by_importance = limpid.optimize(extinction=mu, importance=importance,
+                                            importance_smoothing="off", **VIEW)
 
             np.testing.assert_array_equal(by_labels.extinction, by_importance.extinction)
 
@@ -262,7 +263,8 @@ class TestStructures(unittest.TestCase):
         labels = self.labels(np.int32)
         with self.assertWarnsRegex(UserWarning, "all labels but 0"):
             by_labels = limpid.optimize(extinction=mu, structures=labels, **VIEW)
-        by_importance = limpid.optimize(extinction=mu, importance=labels > 0, **VIEW)
+        by_importance = limpid.optimize(extinction=mu, importance=labels > 0,
+                                        importance_smoothing="off", **VIEW)
 
         np.testing.assert_array_equal(by_labels.extinction, by_importance.extinction)
 
@@ -271,7 +273,7 @@ class TestStructures(unittest.TestCase):
         labels = self.labels(np.int32)
         by_labels, by_importance = (
             limpid.viewpoints(extinction=mu, sampling="fibonacci", number_of_directions=12,
-                              refine=False, **importance)
+                              refine=False, importance_smoothing="off", **importance)
             for importance in ({"structures": labels, "importance": {3: 1}},
                                {"importance": labels == 3}))
 

@@ -13,6 +13,7 @@ from .previous import Memory, Previous
 from .progress import report_to
 from .scene import scene_of
 from .settings import Settings
+from .structures import settings_for
 from .views import Camera, camera_of, light_of
 
 #: A row of Optimization.convergence, in the order of RowsOf in Optimize.cxx.
@@ -140,7 +141,8 @@ def optimize(volume=None, *, scalars=None, importance=None, importance_function=
     TypeError for names that there are not. Ctrl-C ends it.
     """
     settings = Settings.of(settings)
-    core_settings, views = settings.in_core(), settings.views_in_core()
+    core_settings = settings_for(structures, settings.in_core())
+    views = settings.views_in_core()
     guide = choice("viewpoint_guide", viewpoint_guide, _core.ViewpointGuide)
     report = report_to(progress)
     before = Previous(previous, settings)

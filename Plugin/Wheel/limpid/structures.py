@@ -7,6 +7,7 @@ import collections.abc
 
 import numpy as np
 
+from . import _core
 from .arguments import number_between, warn, whole_number
 
 LARGEST = 2 ** 63 - 1
@@ -23,6 +24,14 @@ def importance_by_label(given):
             number_between(f"The importance of the structure {label}", share, 0, 1,
                            "it is a share", "Give a number from 0 to 1.")
             for label, share in given.items()}
+
+
+def settings_for(structures, core_settings):
+    """The core's settings for a scene of these structures; None: it has none. Labels have no noise
+    to smooth."""
+    if structures is not None:
+        core_settings.importance_smoothing = _core.ImportanceSmoothing.off
+    return core_settings
 
 
 def importance_of(labels, given, layout):

@@ -14,6 +14,7 @@ from .arguments import number, number_between, require_choice, vector, warn, who
 from .progress import report_to
 from .scene import scene_of
 from .settings import Settings
+from .structures import settings_for
 from .views import CameraPosition
 
 
@@ -247,7 +248,7 @@ def viewpoints(volume=None, *, scalars=None, importance=None, importance_functio
     found = _core.search_viewpoints(*scene.in_core(), scene.majorant, proxy_of(scene, field),
                                     field == "attainable", _core.Orbit(**orbit),
                                     camera_focal_point is not None, directions, search,
-                                    settings.in_core(), report)
+                                    settings_for(structures, settings.in_core()), report)
     if report:
         report.finish()
     if not found["viewpoints"] and not (report and report.is_stopped):
