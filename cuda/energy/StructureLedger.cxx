@@ -148,7 +148,7 @@ private:
   }
 
   /// Finds the structures in a layer.
-  void Enter(const StructureSampler& sampler)
+  void Enter(StructureSampler& sampler)
   {
     this->CountHere = 0;
     sampler.ForRowsNear(this->Fields.rows,
@@ -166,6 +166,7 @@ private:
           }
         }
       });
+    sampler.SetOneRow(this->CountHere == 1);
   }
 
   void Forget()
@@ -320,21 +321,25 @@ struct StructureLedger::Internals
     for (const PlannedFrustum& frustum : frusta)
     {
       const float* inView = frustum.seesAll ? nullptr : frustum.Row(frustum.inView);
-      ParallelFor(frustum.rows, 1,
-        [&](Index index)
+      constexpr int rowsPerTask = 8;
+      ParallelFor((frustum.rows + rowsPerTask - 1) / rowsPerTask, 1,
+        [&](Index task)
         {
-          Interruptible::Check();
-          const int row = static_cast<int>(index);
           LedgerRay<Cuts> ray(fields, *this->structures, tellsHiders);
-          for (int column = 0; column < frustum.columns; ++column)
+          const int begin = static_cast<int>(task) * rowsPerTask;
+          for (int row = begin; row < std::min(begin + rowsPerTask, frustum.rows); ++row)
           {
-            const Index number = Index(row) * frustum.columns + column;
-            const double share = frustum.cellMeasure *
-              double(frustum.Row(frustum.columnShare)[column]) *
-              double(frustum.Row(frustum.rowShare)[row]);
-            if (share > 0 && (!inView || inView[number] > 0))
+            Interruptible::Check();
+            for (int column = 0; column < frustum.columns; ++column)
             {
-              act(ray, frustum, column, row, share / double(frustum.Row(frustum.length)[number]));
+              const Index number = Index(row) * frustum.columns + column;
+              const double share = frustum.cellMeasure *
+                double(frustum.Row(frustum.columnShare)[column]) *
+                double(frustum.Row(frustum.rowShare)[row]);
+              if (share > 0 && (!inView || inView[number] > 0))
+              {
+                act(ray, frustum, column, row, share / double(frustum.Row(frustum.length)[number]));
+              }
             }
           }
         });

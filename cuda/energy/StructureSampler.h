@@ -35,6 +35,9 @@ public:
   /// caller keeps.
   void SetShares(const float* shares) { this->Shares = shares; }
 
+  /// Tells whether all nodes near the layer are of one row, so that importance need not be sampled.
+  void SetOneRow(bool isOne) { this->IsOne = isOne; }
+
   /// Samples what a step needs at the Gauss points of the layer.
   void Sample(const LedgerFields& fields)
   {
@@ -44,7 +47,7 @@ public:
     {
       const Corner& corner = this->Corners[half];
       this->Ray.importance[half] = this->Important(corner);
-      this->Ray.kept[half] = this->Kept(corner);
+      this->Ray.kept[half] = this->Kept(corner, this->Ray.extinction[half]);
     }
   }
 
@@ -82,8 +85,8 @@ public:
   PointSample SampleAt(const RayFields<Field>& fields, float share, int) const
   {
     const Corner corner = this->CornerOf(share);
-    return { this->SampleLayer(fields.extinction, corner), this->Important(corner),
-      this->Kept(corner) };
+    const float extinction = this->SampleLayer(fields.extinction, corner);
+    return { extinction, this->Important(corner), this->Kept(corner, extinction) };
   }
 
   /// Calls step(ray, 0) with the layer, resolved if necessary.
@@ -99,17 +102,21 @@ public:
 private:
   float Important(const Corner& corner) const
   {
+    const auto shareOf = [this](Node node) { return this->Shares[this->Given->rows[node]]; };
     return this->InView() *
-      this->BlendLayer([this](Node node) { return this->Shares[this->Given->rows[node]]; }, corner);
+      (this->IsOne ? shareOf(corner.front) : this->BlendLayer(shareOf, corner));
   }
 
-  /// Kept base extinction, or the lower bound of the extinction of the structures.
-  float Kept(const Corner& corner) const
+  /// Kept base extinction, or the lower bound of the extinction of the structures. `sampled`: the
+  /// extinction there.
+  float Kept(const Corner& corner, float sampled) const
   {
     const LedgerFields& fields = *this->Given;
     if (!fields.bounded)
     {
-      return this->BlendLayer(LesserOf{ fields.extinction, fields.base }, corner);
+      return fields.extinction == fields.base
+        ? sampled
+        : this->BlendLayer(LesserOf{ fields.extinction, fields.base }, corner);
     }
     return fields.base ? this->BlendLayer([this, &fields](Node node)
                            { return this->Shares[fields.rows[node]] * fields.base[node]; },
@@ -119,6 +126,7 @@ private:
 
   const LedgerFields* Given = nullptr;
   const float* Shares = nullptr;
+  bool IsOne = false; ///< see SetOneRow
 };
 }
 
