@@ -341,7 +341,7 @@ limpid::FieldSource vtkVisibilityAlgorithm::SceneReader::FindArray(
 limpid::FieldSource vtkVisibilityAlgorithm::SceneReader::RequireArray(
   int index, const char* role, const char* fallback, vtkImageData* input) const
 {
-  const limpid::FieldSource source = this->FindArray(index, fallback, input);
+  limpid::FieldSource source = this->FindArray(index, fallback, input);
   const std::string chosen = limpid::ChosenName(this->Self, index);
   LIMPID_REQUIRE(source.array,
     "The " << role << " array \""

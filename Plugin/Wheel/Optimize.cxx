@@ -12,11 +12,16 @@
 #include <nanobind/stl/array.h>
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/string.h>
+#include <nanobind/stl/tuple.h>
 #include <nanobind/stl/vector.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <memory>
 #include <optional>
+#include <string>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 namespace nb = nanobind;
@@ -80,6 +85,31 @@ nb::list RowsOf(const std::vector<IterationRecord>& history)
   return rows;
 }
 
+using StructureTuple = std::tuple<std::int64_t, std::string, double>; ///< label, name, importance
+using Rows = nb::ndarray<const StructureRow, nb::ndim<1>, nb::c_contig, nb::device::cpu>;
+
+Structures StructuresOf(const std::vector<StructureTuple>& given)
+{
+  std::vector<Structure> all;
+  for (const auto& [label, name, importance] : given)
+  {
+    all.push_back({ label, name, importance, {} });
+  }
+  return Structures(std::move(all));
+}
+
+// Returns one row per structure, in the order of StructureShares in structures.py.
+nb::list RowsOf(const std::vector<StructureShares>& all)
+{
+  nb::list rows;
+  for (const StructureShares& shares : all)
+  {
+    rows.append(nb::make_tuple(
+      shares.visible, shares.baseVisible, shares.removed, shares.attainable, shares.hiddenBy));
+  }
+  return rows;
+}
+
 nb::dict ResultsOf(const Solver& solver, const Camera& camera)
 {
   nb::dict results;
@@ -108,7 +138,9 @@ nb::dict ResultsOf(const Solver& solver, const Camera& camera)
 nb::dict Optimize(const Grid& grid, const Field& extinction, const Field& importance,
   float majorant, const Camera& camera, const Light& light, const Settings& settings,
   const ViewSet& views, std::optional<Guide> guide, const std::vector<OptionalField>& references,
-  const OptionalField& initial, CarriedChange* previous, const nb::object& progress)
+  const OptionalField& initial, CarriedChange* previous,
+  const std::optional<std::vector<StructureTuple>>& structures, const std::optional<Rows>& rows,
+  const nb::object& progress)
 {
   Run run(grid, extinction, importance, majorant);
   run.camera = camera;
@@ -122,15 +154,24 @@ nb::dict Optimize(const Grid& grid, const Field& extinction, const Field& import
   run.previous = previous;
   run.progress = ToProgress(progress);
   ConcurrentResult found;
+  std::vector<StructureShares> shares;
   ComputeBesidePython(
     [&]
     {
       found = run.Solve();
       found.solver->BestScore(); // it may take a sweep
       found.solver->FindCeiling();
+      if (structures && rows)
+      {
+        shares = found.solver->SharesOf(StructuresOf(*structures), rows->data());
+      }
     });
 
   nb::dict results = ResultsOf(*found.solver, found.camera);
+  if (structures)
+  {
+    results["structures"] = RowsOf(shares);
+  }
   std::vector<float> forCamera;
   std::vector<float> forLight; // empty: the light has none of its own
   CarriedChange change;
@@ -165,6 +206,6 @@ void BindOptimize(nb::module_& module)
   module.def("optimize", Optimize, "grid"_a, "extinction"_a.noconvert(), "importance"_a.noconvert(),
     "majorant"_a, "camera"_a, "light"_a, "settings"_a, "views"_a, "guide"_a.none(),
     "references"_a.noconvert(), "initial"_a.noconvert().none(), "previous"_a.none(),
-    "progress"_a.none());
+    "structures"_a.none(), "rows"_a.noconvert().none(), "progress"_a.none());
 }
 }

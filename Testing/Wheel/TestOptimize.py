@@ -244,7 +244,9 @@ class TestStructures(unittest.TestCase):
     def labels(self, kind):
         """Two structures with gaps between their numbers, and where they are."""
         g = phantom.fields()[1]
-        return np.where(g > 0.6, 1034, np.where(g > 0, 3, 0)).astype(kind)
+        first = np.median(np.nonzero(g > 0)[0])
+        half = np.arange(g.shape[0])[:, None, None] > first
+        return np.where(g > 0, np.where(half, 1034, 3), 0).astype(kind)
 
     def test_are_important_as_they_are_said_to_be(self):
         mu, _ = phantom.fields()
@@ -267,6 +269,25 @@ class TestStructures(unittest.TestCase):
                                         importance_smoothing="off", **VIEW)
 
         np.testing.assert_array_equal(by_labels.extinction, by_importance.extinction)
+
+    def test_are_told_apart_in_the_result(self):
+        mu, _ = phantom.fields()
+        for order in "FC":
+            labels = np.array(self.labels(np.int32), order=order)
+            result = limpid.optimize(extinction=mu, structures=labels,
+                                     importance={1034: 1, 3: 0.25, 7: 1}, **VIEW)
+            seen = result.structures
+
+            self.assertEqual(list(seen), [3, 7, 1034])
+            for shares in (seen[3], seen[1034]):
+                self.assertAlmostEqual(
+                    shares.visible + shares.removed + sum(shares.hidden_by.values()), 1, delta=1e-5)
+                self.assertLessEqual(shares.visible, shares.attainable + 1e-5)
+                self.assertEqual(list(shares.hidden_by), [None, 3, 7, 1034])
+            self.assertEqual(seen[7].visible, 0)
+            ends = sorted((seen[3].visible, seen[1034].visible))
+            self.assertTrue(ends[0] <= result.visible_fraction <= ends[1])
+        self.assertIsNone(optimize().structures)
 
     def test_are_searched_too(self):
         mu, _ = phantom.fields()

@@ -39,9 +39,9 @@ class Layout:
         """Whether an array has this order, without gaps."""
         return array.transpose(self.order).flags.f_contiguous
 
-    def empty(self, shape):
-        """A float32 array of this order, its values not set."""
-        return self.shaped(np.empty(int(np.prod(shape)), dtype=np.float32), shape)
+    def empty(self, shape, dtype=np.float32):
+        """An array of this order, its values not set."""
+        return self.shaped(np.empty(int(np.prod(shape)), dtype=dtype), shape)
 
     def flat(self, array):
         """The values of an array of this order as they lie in memory, not copied."""

@@ -13,7 +13,7 @@ from .previous import Memory, Previous
 from .progress import report_to
 from .scene import scene_of
 from .settings import Settings
-from .structures import settings_for
+from .structures import StructureShares, settings_for
 from .views import Camera, camera_of, light_of
 
 #: A row of Optimization.convergence, in the order of RowsOf in Optimize.cxx.
@@ -49,6 +49,7 @@ class Optimization:
     backend: str  #: what computed: "CPU, 2 threads"
     convergence: np.ndarray  #: one row per iteration, of type CONVERGENCE, the first is the base's
     memory: Memory  #: what the next run needs of it as `previous`
+    structures: dict = None  #: StructureShares by label; None: none are given
 
     def opacity(self, unit_distance=None):
         """Opacity of the extinction on one unit distance, 1 - exp(-extinction * distance), for
@@ -160,15 +161,18 @@ def optimize(volume=None, *, scalars=None, importance=None, importance_function=
     found = _core.optimize(*scene.in_core(), scene.majorant, view.in_core(), lamp.in_core(view),
                            core_settings, views, guide if optimize_viewpoint else None,
                            [scene.flat("reference", reference)], before.initial(scene),
-                           before.change(memory), report)
+                           before.change(memory), *scene.structures_in_core(), report)
     if report:
         report.finish()
 
     view = dataclasses.replace(view, position=found.pop("camera_position"),
                                view_up=found.pop("camera_view_up"))
     of_light = found.pop("light_extinction", None)
+    shares = found.pop("structures", None)
     return Optimization(extinction=scene.as_given(found.pop("extinction")),
                         light_extinction=None if of_light is None else scene.as_given(of_light),
                         dimensions=scene.grid.shape, camera=view, unit_distance=scene.unit_distance,
                         memory=memory.with_change(found.pop("change", None)),
+                        structures=None if shares is None else
+                        StructureShares.all_of(scene.segmentation, shares),
                         convergence=np.array(found.pop("convergence"), dtype=CONVERGENCE), **found)

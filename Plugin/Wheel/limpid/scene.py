@@ -13,7 +13,7 @@ from .arguments import warn, whole_number
 from .fields import Layout, converted, corrected, emptied, mapped
 from .functions import ExtinctionOfOpacity, PiecewiseLinear
 from .grid import Grid
-from .structures import importance_of
+from .structures import Segmentation
 from .volume import Volume
 
 
@@ -29,6 +29,7 @@ class Scene:
     majorant: float  #: upper bound of Eq. (25), of the function; 0: that of the data [1/length]
     unit_distance: float  #: of opacities [length]
     data: tuple  #: arrays that extinction and importance were made from
+    segmentation: Segmentation = None  #: None: importance is given otherwise
 
     def in_core(self):
         """Grid, base extinction and importance as the core takes them; the arrays are views."""
@@ -40,6 +41,12 @@ class Scene:
         if given is None:
             return None
         return self.layout.flat(converted(self.source.field(role, given), self.layout))
+
+    def structures_in_core(self):
+        """Structures and the row of each point as the core takes them; None: there are none."""
+        if self.segmentation is None:
+            return None, None
+        return self.segmentation.table, self.layout.flat(self.segmentation.rows)
 
     def as_given(self, values):
         """A field as the core has it as the volume itself is, see Volume.as_given; not copied."""
@@ -181,12 +188,14 @@ def scene_of(volume, scalars=None, importance=None, importance_function=None, ex
         mu = converted(mu, layout)
     else:
         mu = mapped(mu, function or ramp_of(mu, source.mask, distance), layout)
+    segmentation = None
     if structures is not None:
-        g = importance_of(g, shares, layout)
+        segmentation = Segmentation.of(g, shares, layout)
+        g = segmentation.importance(layout)
     elif importance_function is None:
         g = converted(g, layout)
     else:
         g = mapped(g, PiecewiseLinear("importance_function", importance_function, -math.inf,
                                       math.inf), layout)
     mu, g = corrected(*emptied((mu, g), source.mask), layout)
-    return Scene(source, source.grid, layout, mu, g, majorant, distance, data)
+    return Scene(source, source.grid, layout, mu, g, majorant, distance, data, segmentation)

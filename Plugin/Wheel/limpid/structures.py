@@ -4,6 +4,7 @@
 """Structures: labels of a segmentation as importance."""
 
 import collections.abc
+import dataclasses
 
 import numpy as np
 
@@ -11,14 +12,15 @@ from . import _core
 from .arguments import number_between, warn, whole_number
 
 LARGEST = 2 ** 63 - 1
+MOST = 2 ** 16 - 1  # rows of 16 bits
 
 
 def importance_by_label(given):
     """What is given as the importance of structures, checked: {label: importance}."""
     if not isinstance(given, collections.abc.Mapping):
         raise ValueError("structures are given, and importance is of the type "
-                         f"{type(given).__name__} (it says how important each structure is). Give a "
-                         "mapping, like {3: 1, 7: 0.5}.")
+                         f"{type(given).__name__} (it says how important each structure is). Give "
+                         "a mapping, like {3: 1, 7: 0.5}.")
     return {whole_number("A label of importance", label, -LARGEST, LARGEST,
                          "labels are whole numbers", "Give a label of the structures."):
             number_between(f"The importance of the structure {label}", share, 0, 1,
@@ -34,30 +36,69 @@ def settings_for(structures, core_settings):
     return core_settings
 
 
-def importance_of(labels, given, layout):
-    """The importance of each point, float32 of that layout.
+@dataclasses.dataclass(frozen=True, eq=False)
+class Segmentation:
+    """Structures, and which of them each point belongs to."""
 
-    labels: an array of whole numbers; NaN is none.
-    given: {label: importance}; labels that are not in it have none. None: all but 0 are important.
-    """
-    if given is None:
-        warn("structures are given without importance: all labels but 0 are equally important. "
-             "Give that of the structures that matter, like importance={3: 1, 7: 0.5}.")
-        known = shares = None
-    else:
-        pairs = sorted(importance_by_label(given).items())
-        known = np.array([label for label, _ in pairs], dtype=np.int64)
-        shares = np.array([share for _, share in pairs] + [0], dtype=np.float32)
-    result = layout.empty(labels.shape)
-    for values, slab in layout.slabs(labels, result):
-        whole = whole_numbers(values)
-        if known is None:
-            slab[...] = whole != 0
+    table: list  #: (label, name, importance), empty names stand for labels
+    rows: np.ndarray  #: uint16, like a field: number of the structure, from 1 on; 0: none of them
+
+    @classmethod
+    def of(cls, labels, given, layout):
+        """That of an array of labels.
+
+        labels: an array of whole numbers; NaN is none.
+        given: {label: importance}; others have none. None: all but 0 are one structure.
+        """
+        if given is None:
+            warn("structures are given without importance: all labels but 0 are equally important. "
+                 "Give that of the structures that matter, like importance={3: 1, 7: 0.5}.")
+            table = [(1, "all labels", 1.0)]
         else:
-            rows = np.searchsorted(known, whole)
-            is_known = np.append(known, 0)[rows] == whole
-            slab[...] = shares[np.where(is_known & (rows < len(known)), rows, len(known))]
-    return result
+            shares = importance_by_label(given)
+            table = [(label, "", shares[label]) for label in sorted(shares)]
+        if len(table) > MOST:
+            raise ValueError(f"There are {len(table)} structures (results have at most {MOST}). "
+                             "Give the importance of those that matter.")
+        known = np.array([label for label, *_ in table], dtype=np.int64)
+        rows = layout.empty(labels.shape, np.uint16)
+        for values, slab in layout.slabs(labels, rows):
+            whole = whole_numbers(values)
+            if given is None:
+                slab[...] = whole != 0
+            else:
+                row = np.searchsorted(known, whole)
+                is_known = (row < len(known)) & (np.append(known, 0)[row] == whole)
+                slab[...] = np.where(is_known, row + 1, 0)
+        return cls(table, rows)
+
+    def importance(self, layout):
+        """The importance of each point, float32 of that layout."""
+        of_rows = np.array([0] + [share for *_, share in self.table], dtype=np.float32)
+        result = layout.empty(self.rows.shape)
+        for rows, slab in layout.slabs(self.rows, result):
+            slab[...] = of_rows[rows]
+        return result
+
+
+@dataclasses.dataclass(frozen=True)
+class StructureShares:
+    """What is seen of a structure, as shares of what the data have of it [0, 1]."""
+
+    label: int
+    importance: float  #: as given
+    visible: float  #: its light reaches the camera
+    base_visible: float  #: the same through the base extinction
+    removed: float
+    attainable: float  #: the most that `visible` could be from this camera, whatever is cleared
+    hidden_by: dict  #: by label, None for other matter; empty for more than 256 structures
+
+    @classmethod
+    def all_of(cls, segmentation, found):
+        """By label; `found`: rows as the core has them."""
+        labels = [label for label, *_ in segmentation.table]
+        return {label: cls(label, importance, *shares, dict(zip([None, *labels], hidden)))
+                for (label, _, importance), (*shares, hidden) in zip(segmentation.table, found)}
 
 
 def whole_numbers(values):
