@@ -417,6 +417,7 @@ void VolumeData::TakeImportance(vtkImageData* here, const FieldSource& source)
 void VolumeData::UpdateReferences(vtkImageData* image, const std::vector<FieldSource>& sources)
 {
   std::vector<ArrayKey> keys;
+  keys.reserve(sources.size());
   for (const FieldSource& source : sources)
   {
     keys.push_back(KeyOf(image, source, 0));
