@@ -259,13 +259,13 @@ vtkSmartPointer<vtkDataArray> WholeLabels(vtkDataArray* array)
   {
     return LabelsOfNumbers(array);
   }
-  if (array->HasStandardMemoryLayout())
+  const bool hasBits = array->GetDataType() == VTK_BIT; // packed, although its layout is standard
+  if (array->HasStandardMemoryLayout() && !hasBits)
   {
     return array;
   }
-  const int type = array->GetDataType();
   auto copy = vtkSmartPointer<vtkDataArray>::Take(
-    vtkDataArray::CreateDataArray(type == VTK_BIT ? VTK_UNSIGNED_CHAR : type));
+    vtkDataArray::CreateDataArray(hasBits ? VTK_UNSIGNED_CHAR : array->GetDataType()));
   copy->DeepCopy(array);
   return copy;
 }

@@ -89,7 +89,7 @@ std::vector<limpid::FieldSource> ComponentsOf(const std::vector<limpid::FieldSou
 
 std::string NameOfMask(const limpid::FieldSource& mask)
 {
-  const std::string array = limpid::NameOf(mask.array);
+  std::string array = limpid::NameOf(mask.array);
   if (mask.array->GetNumberOfComponents() == 1)
   {
     return array;
@@ -177,7 +177,7 @@ limpid::FieldSource vtkAddStructures::Internals::ChosenArray(vtkImageData* image
       });
     return scalars == all.end() ? all.front() : *scalars;
   }
-  const limpid::FieldSource source = limpid::FindField(
+  limpid::FieldSource source = limpid::FindField(
     image, name, this->Self->GetInputArrayInformation(0)->Get(vtkDataObject::FIELD_ASSOCIATION()));
   LIMPID_REQUIRE(source.array,
     "The label array \"" << name

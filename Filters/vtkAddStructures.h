@@ -20,9 +20,10 @@
  *   "Label", "Name" and "Points", the number of points that have it. Of several processes, each
  *   counts the points of its own piece.
  *
- * The files of segmentations are read by VTK's or ParaView's readers. Those of VTK 9.2 ignore
- * directions in NRRD and MetaImage files, and the names of segments in .seg.nrrd files; TableFile
- * has names.
+ * Files are read by other classes, and labels are placed as these say. Readers of VTK 9.2 and
+ * ParaView 5.11 ignore the directions in NRRD and MetaImage files, directions and origins in NIfTI
+ * files, and the names of segments in .seg.nrrd files. Where both files have the same grid, that is
+ * no matter; in .vti files, placements are complete.
  *
  * @sa vtkExtinctionOptimizer
  */

@@ -9,6 +9,7 @@ import unittest
 
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkBitArray
 from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkImageData, vtkPolyData
 from vtkmodules.vtkIOXML import vtkXMLImageDataReader
 
@@ -153,6 +154,17 @@ class TestTheSameGrid(StructureTest):
 
             self.assertEqual(found.dtype, np.int32)
             np.testing.assert_array_equal(found, labels.ravel(order="F"))
+
+    def test_takes_bits(self):
+        bits = vtkBitArray()
+        bits.SetName("L")
+        labels = np.random.default_rng(6).integers(0, 2, 7 * 5 * 6)
+        for label in labels:
+            bits.InsertNextValue(label)
+        image = grid((7, 5, 6))
+        image.GetPointData().AddArray(bits)
+
+        np.testing.assert_array_equal(self.found(image, image), labels)
 
     def test_may_be_a_plane_or_have_an_extent(self):
         labels = np.random.default_rng(2).choice(GAPS, (7, 5, 1))
