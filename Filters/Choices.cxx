@@ -65,13 +65,13 @@ std::string ArrayNames(vtkDataSet* data)
     "; of the cells: " + NamesIn(data->GetCellData());
 }
 
-std::string RefusalOf(vtkDataObject* input, const std::string& worker)
+std::string RefusalOf(vtkDataObject* input, const std::string& worker, const std::string& subject)
 {
   if (!input || vtkImageData::SafeDownCast(input))
   {
     return {};
   }
-  const std::string what = "The input is a " + std::string(input->GetClassName()) + " (" + worker +
+  const std::string what = subject + " is a " + input->GetClassName() + " (" + worker +
     " a single image with uniform spacing). ";
   if (vtkCompositeDataSet::SafeDownCast(input))
   {

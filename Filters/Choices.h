@@ -34,7 +34,9 @@ VTKLIMPIDFILTERS_EXPORT std::string NameOf(vtkDataArray* array);
 VTKLIMPIDFILTERS_EXPORT std::string ArrayNames(vtkDataSet* data);
 
 /// Returns why `worker` cannot use an input; empty if it is an image or if there is none.
-VTKLIMPIDFILTERS_EXPORT std::string RefusalOf(vtkDataObject* input, const std::string& worker);
+/// `subject`: what the message calls the input.
+VTKLIMPIDFILTERS_EXPORT std::string RefusalOf(
+  vtkDataObject* input, const std::string& worker, const std::string& subject = "The input");
 }
 
 #endif

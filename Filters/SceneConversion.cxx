@@ -181,10 +181,8 @@ void SetReferences(const References& references, SceneFields& scene)
     [](vtkFloatArray* array) { return array ? array->GetPointer(0) : nullptr; });
 }
 
-vtkSmartPointer<vtkFloatArray> ConvertField(
-  vtkImageData* image, const FieldSource& source, const char* name)
+void RequireOneEach(vtkImageData* image, const FieldSource& source)
 {
-  auto field = NewArray<vtkFloatArray>(name, image->GetNumberOfPoints());
   const vtkIdType expected =
     source.onCells ? image->GetNumberOfCells() : image->GetNumberOfPoints();
   LIMPID_REQUIRE(source.array->GetNumberOfTuples() == expected,
@@ -192,6 +190,13 @@ vtkSmartPointer<vtkFloatArray> ConvertField(
       << NameOf(source.array) << "\" has " << source.array->GetNumberOfTuples() << " values for "
       << expected << (source.onCells ? " cells" : " points")
       << " (values cannot be assigned to positions). Give an array with one value for each.");
+}
+
+vtkSmartPointer<vtkFloatArray> ConvertField(
+  vtkImageData* image, const FieldSource& source, const char* name)
+{
+  auto field = NewArray<vtkFloatArray>(name, image->GetNumberOfPoints());
+  RequireOneEach(image, source);
 
   if (source.structures)
   {

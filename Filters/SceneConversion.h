@@ -78,6 +78,9 @@ Grid GridOfExtent(const int extent[6], const ImagePlacement& placement);
 /// Gives references to a scene, which does not own them.
 VTKLIMPIDFILTERS_EXPORT void SetReferences(const References& references, SceneFields& scene);
 
+/// Throws Error unless an array has one value for each point or cell of the image.
+void RequireOneEach(vtkImageData* image, const FieldSource& source);
+
 /// Returns a field at the points of the image; NaN where it has no finite value. Of labels, that is
 /// the importance of their structures.
 VTKLIMPIDFILTERS_EXPORT vtkSmartPointer<vtkFloatArray> ConvertField(

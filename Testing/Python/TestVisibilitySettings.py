@@ -9,7 +9,8 @@ import unittest
 import vtkmodules.vtkRenderingVolume  # noqa: F401
 from vtkmodules.vtkCommonDataModel import vtkPiecewiseFunction
 
-from limpid.vtkLimpidFilters import (vtkCameraPath, vtkExtinctionOptimizer, vtkOcclusionPhantom,
+from limpid.vtkLimpidFilters import (vtkAddStructures, vtkCameraPath, vtkExtinctionOptimizer,
+                                     vtkOcclusionPhantom,
                                      vtkViewpointSearch, vtkVisibilitySettings)
 from limpid.vtkLimpidRendering import vtkTransmittanceVolumeMapper
 
@@ -100,6 +101,7 @@ class TestVisibilitySettings(unittest.TestCase):
 
     def test_owners_move_what_is_their_own_and_say_so(self):
         cases = {
+            vtkAddStructures: {"Resampling": (-1, 2)},
             vtkViewpointSearch: {
                 "Field": (-1, 5), "Sampling": (-1, 3), "NumberOfDirections": (0, 100001),
                 "CameraDistance": (0.5, None), "AvoidanceAngle": (-1, 181),

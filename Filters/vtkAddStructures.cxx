@@ -1,0 +1,411 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "vtkAddStructures.h"
+
+#include "Abort.h"
+#include "Choices.h"
+#include "InputArrays.h"
+#include "LabelResampling.h"
+#include "Memory.h"
+#include "OwnArrays.h"
+#include "PropertyPrinter.h"
+#include "StructureTableFile.h"
+
+#include "vtkCellData.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkIdTypeArray.h"
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkStringArray.h"
+#include "vtkTable.h"
+
+#include "backend/Interruption.h"
+#include "math/Require.h"
+#include "scene/Grid.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <cstring>
+#include <exception>
+#include <map>
+#include <string>
+#include <vector>
+
+vtkStandardNewMacro(vtkAddStructures);
+
+namespace
+{
+using Names = std::map<std::int64_t, std::string>;
+
+const limpid::MemoryNeed Need{ 2 * sizeof(std::int64_t), limpid::fewerPoints };
+
+// Adds the numeric arrays of the points or the cells of an image.
+void AddArrays(
+  vtkDataSetAttributes* attributes, bool onCells, std::vector<limpid::FieldSource>& all)
+{
+  for (int i = 0; i < attributes->GetNumberOfArrays(); ++i)
+  {
+    vtkDataArray* array = attributes->GetArray(i);
+    const bool isGhosts = array && array->GetName() &&
+      std::strcmp(array->GetName(), vtkDataSetAttributes::GhostArrayName()) == 0;
+    if (array && !isGhosts)
+    {
+      all.push_back({ array, onCells, 0 });
+    }
+  }
+}
+
+// Returns all numeric arrays of an image, those of the points first.
+std::vector<limpid::FieldSource> AllArraysOf(vtkImageData* image)
+{
+  std::vector<limpid::FieldSource> all;
+  AddArrays(image->GetPointData(), false, all);
+  AddArrays(image->GetCellData(), true, all);
+  LIMPID_REQUIRE(!all.empty(),
+    "The structures have no numeric arrays (one has the labels, or each is a mask). Give an image "
+    "with labels or masks.");
+  return all;
+}
+
+std::vector<limpid::FieldSource> ComponentsOf(const std::vector<limpid::FieldSource>& arrays)
+{
+  std::vector<limpid::FieldSource> components;
+  for (limpid::FieldSource source : arrays)
+  {
+    for (source.component = 0; source.component < source.array->GetNumberOfComponents();
+         ++source.component)
+    {
+      components.push_back(source);
+    }
+  }
+  return components;
+}
+
+std::string NameOfMask(const limpid::FieldSource& mask)
+{
+  std::string array = limpid::NameOf(mask.array);
+  if (mask.array->GetNumberOfComponents() == 1)
+  {
+    return array;
+  }
+  const char* component = mask.array->GetComponentName(mask.component);
+  return component ? component : array + "_" + std::to_string(mask.component);
+}
+
+limpid::Grid GridOfLabels(vtkImageData* image)
+{
+  try
+  {
+    return limpid::GridOfImage(image);
+  }
+  catch (const limpid::Error& error)
+  {
+    throw limpid::Error("The structures cannot be placed. " + std::string(error.what()));
+  }
+}
+
+// Returns the names of labels 1, 2 and so on.
+Names NamesOf(const std::vector<limpid::FieldSource>& masks)
+{
+  Names names;
+  for (const limpid::FieldSource& mask : masks)
+  {
+    names.emplace(static_cast<std::int64_t>(names.size() + 1), NameOfMask(mask));
+  }
+  return names;
+}
+
+bool NamesAny(const Names& names, const std::map<std::int64_t, vtkIdType>& labels)
+{
+  return std::any_of(
+    names.begin(), names.end(), [&labels](const auto& entry) { return labels.count(entry.first); });
+}
+}
+
+// Reads the inputs, and writes the outputs.
+struct vtkAddStructures::Internals
+{
+  // What port 1 has.
+  struct Labels
+  {
+    vtkSmartPointer<vtkDataArray> values;
+    bool onCells = false;
+    Names names; // of masks
+  };
+
+  static vtkImageData* RequireImage(vtkInformationVector* input, const std::string& subject);
+  limpid::FieldSource ChosenArray(vtkImageData* image) const;
+  Labels Read(vtkImageData* image) const;
+  Labels ReadMasks(vtkImageData* image, const std::vector<limpid::FieldSource>& masks) const;
+  void AddNames(const std::map<std::int64_t, vtkIdType>& labels, Names& names) const;
+  void Write(const Labels& labels, vtkDataArray* structure, vtkTable* table) const;
+  void Run(vtkInformationVector** inputVector, vtkImageData* output, vtkTable* table) const;
+
+  vtkAddStructures* Self;
+};
+
+vtkImageData* vtkAddStructures::Internals::RequireImage(
+  vtkInformationVector* input, const std::string& subject)
+{
+  const std::string refusal =
+    limpid::RefusalOf(vtkDataObject::GetData(input), "this filter needs", subject);
+  LIMPID_REQUIRE(refusal.empty(), refusal);
+  vtkImageData* image = vtkImageData::GetData(input);
+  LIMPID_REQUIRE(image && image->GetNumberOfPoints() > 0,
+    subject << " has no points (there is nothing to process). Give it an image with data.");
+  return image;
+}
+
+limpid::FieldSource vtkAddStructures::Internals::ChosenArray(vtkImageData* image) const
+{
+  const std::string name = limpid::ChosenName(this->Self, 0);
+  if (name.empty())
+  {
+    const std::vector<limpid::FieldSource> all = AllArraysOf(image);
+    const auto scalars = std::find_if(all.begin(), all.end(),
+      [image](const auto& source)
+      {
+        return source.array ==
+          (source.onCells ? image->GetCellData()->GetScalars()
+                          : image->GetPointData()->GetScalars());
+      });
+    return scalars == all.end() ? all.front() : *scalars;
+  }
+  limpid::FieldSource source = limpid::FindField(
+    image, name, this->Self->GetInputArrayInformation(0)->Get(vtkDataObject::FIELD_ASSOCIATION()));
+  LIMPID_REQUIRE(source.array,
+    "The label array \"" << name
+                         << "\" is not among the numeric arrays of the structures (it says which "
+                            "points belong to which structure). Choose one of these: "
+                         << limpid::ArrayNames(image) << ".");
+  return source;
+}
+
+vtkAddStructures::Internals::Labels vtkAddStructures::Internals::ReadMasks(
+  vtkImageData* image, const std::vector<limpid::FieldSource>& masks) const
+{
+  for (const limpid::FieldSource& mask : masks)
+  {
+    limpid::RequireOneEach(image, mask);
+  }
+  const limpid::MaskLabels read = limpid::LabelsOfMasks(masks);
+  if (read.overlaps > 0)
+  {
+    vtkWarningWithObjectMacro(this->Self, << "Masks overlap at " << read.overlaps
+                                          << (masks.front().onCells ? " cells" : " points")
+                                          << " of the structures (each belongs to one structure): "
+                                             "the last mask counts. If it should be "
+                                             "another one, order the arrays accordingly.");
+  }
+  return { read.labels, masks.front().onCells, NamesOf(masks) };
+}
+
+vtkAddStructures::Internals::Labels vtkAddStructures::Internals::Read(vtkImageData* image) const
+{
+  if (this->Self->MasksToLabels)
+  {
+    const std::vector<limpid::FieldSource> all = AllArraysOf(image);
+    LIMPID_REQUIRE(all.front().onCells == all.back().onCells,
+      "There are masks of points and masks of cells, "
+        << limpid::ArrayNames(image)
+        << " (they have different grids). Remove one kind of arrays with Pass Arrays.");
+    return this->ReadMasks(image, ComponentsOf(all));
+  }
+  const limpid::FieldSource chosen = this->ChosenArray(image);
+  if (chosen.array->GetNumberOfComponents() > 1)
+  {
+    return this->ReadMasks(image, ComponentsOf({ chosen }));
+  }
+  limpid::RequireOneEach(image, chosen);
+  return { limpid::WholeLabels(chosen.array), chosen.onCells, {} };
+}
+
+// Adds the names of TableFile.
+void vtkAddStructures::Internals::AddNames(
+  const std::map<std::int64_t, vtkIdType>& labels, Names& names) const
+{
+  const std::string& path = this->Self->TableFile;
+  if (path.empty())
+  {
+    return;
+  }
+  const limpid::StructureTableFile file = limpid::ReadStructureTable(path);
+  if (!file.warning.empty())
+  {
+    vtkWarningWithObjectMacro(this->Self, << file.warning);
+  }
+  else if (!NamesAny(file.names, labels))
+  {
+    vtkWarningWithObjectMacro(this->Self,
+      << "The table file \"" << path << "\" names " << file.names.size()
+      << " labels, and none of them is in the data (names stay empty). Give the table that belongs "
+         "to these structures.");
+  }
+  for (const auto& [label, name] : file.names)
+  {
+    names[label] = name;
+  }
+}
+
+void vtkAddStructures::Internals::Write(
+  const Labels& labels, vtkDataArray* structure, vtkTable* table) const
+{
+  std::map<std::int64_t, vtkIdType> given = limpid::CountLabels(labels.values);
+  for (const auto& entry : labels.names)
+  {
+    given.emplace(entry.first, 0); // masks that are empty
+  }
+  given.erase(0);
+  Names names = labels.names;
+  this->AddNames(given, names);
+  std::map<std::int64_t, vtkIdType> points = limpid::CountLabels(structure);
+  vtkNew<vtkIdTypeArray> labelColumn;
+  vtkNew<vtkStringArray> nameColumn;
+  vtkNew<vtkIdTypeArray> pointColumn;
+  labelColumn->SetName("Label");
+  nameColumn->SetName("Name");
+  pointColumn->SetName("Points");
+  vtkIdType inside = 0;
+  for (const auto& entry : given)
+  {
+    const std::int64_t label = entry.first;
+    labelColumn->InsertNextValue(static_cast<vtkIdType>(label));
+    nameColumn->InsertNextValue(names[label]);
+    pointColumn->InsertNextValue(points[label]);
+    inside += points[label];
+  }
+  table->AddColumn(labelColumn);
+  table->AddColumn(nameColumn);
+  table->AddColumn(pointColumn);
+  if (inside == 0)
+  {
+    vtkWarningWithObjectMacro(this->Self,
+      << (given.empty()
+             ? "All labels are 0 (there are no structures). Choose another array, or check the "
+               "file."
+             : "No point of the input is in a structure (the two images are at different places, "
+               "or structures are smaller than the spacing). Compare their bounds and directions "
+               "in "
+               "the Information tab: some readers ignore directions or shift origins."));
+  }
+}
+
+void vtkAddStructures::Internals::Run(
+  vtkInformationVector** inputVector, vtkImageData* output, vtkTable* table) const
+{
+  vtkImageData* input = RequireImage(inputVector[0], "The input");
+  vtkImageData* structures = RequireImage(inputVector[1], "The input Structures");
+  const limpid::Grid image = limpid::GridOfImage(input);
+  const limpid::Grid labelled = GridOfLabels(structures);
+  const Labels labels = this->Read(structures);
+  const vtkSmartPointer<vtkDataArray> structure = limpid::ResampleLabels(image, labelled,
+    labels.values, labels.onCells,
+    this->Self->Resampling == NEAREST ? limpid::Resampling::Nearest : limpid::Resampling::Majority);
+  output->ShallowCopy(input);
+  output->GetPointData()->AddArray(structure);
+  this->Write(labels, structure, table);
+  if (!limpid::MarkResults(input->GetPointData(), output->GetPointData()).empty())
+  {
+    vtkWarningWithObjectMacro(this->Self,
+      "The input has an array \"Structure\" (array names are unique, so the output has the result "
+      "instead). Rename it before this filter if you need it after it.");
+  }
+}
+
+vtkAddStructures::vtkAddStructures()
+{
+  this->SetNumberOfInputPorts(2);
+  this->SetNumberOfOutputPorts(2);
+}
+
+vtkAddStructures::~vtkAddStructures() = default;
+
+vtkTable* vtkAddStructures::GetStructureTable()
+{
+  return vtkTable::SafeDownCast(this->GetOutputDataObject(1));
+}
+
+int vtkAddStructures::FillInputPortInformation(int, vtkInformation* info)
+{
+  // Data of other types are reported by this filter, as by vtkVisibilityAlgorithm.
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObject");
+  return 1;
+}
+
+int vtkAddStructures::FillOutputPortInformation(int port, vtkInformation* info)
+{
+  if (port == 1)
+  {
+    info->Set(vtkDataObject::DATA_TYPE_NAME(), "vtkTable");
+    return 1;
+  }
+  return this->Superclass::FillOutputPortInformation(port, info);
+}
+
+int vtkAddStructures::RequestUpdateExtent(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
+{
+  // A point may be anywhere in the label image, of which all is requested.
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  vtkInformation* info = inputVector[1]->GetInformationObject(0);
+  info->Set(Pipeline::UPDATE_PIECE_NUMBER(), 0);
+  info->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), 1);
+  info->Set(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
+  if (info->Has(Pipeline::WHOLE_EXTENT()))
+  {
+    info->Set(Pipeline::UPDATE_EXTENT(), info->Get(Pipeline::WHOLE_EXTENT()), 6);
+  }
+  return 1;
+}
+
+int vtkAddStructures::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkImageData* output = vtkImageData::GetData(outputVector, 0);
+  vtkTable* table = vtkTable::GetData(outputVector, 1);
+  const auto clear = [output, table] // no partial result
+  {
+    output->Initialize();
+    table->Initialize();
+  };
+  try
+  {
+    const limpid::Interruptible interruptible(
+      [this](double share)
+      {
+        this->UpdateProgress(share);
+        return !limpid::IsAborted(this);
+      });
+    clear();
+    Internals{ this }.Run(inputVector, output, table);
+    return 1;
+  }
+  catch (const limpid::Interrupted&)
+  {
+    clear();
+    return 1;
+  }
+  catch (const std::exception& error)
+  {
+    vtkErrorMacro(<< limpid::MessageOf(error, vtkImageData::GetData(inputVector[0]), Need));
+    clear();
+    return 0;
+  }
+}
+
+void vtkAddStructures::PrintSelf(ostream& os, vtkIndent indent)
+{
+  const limpid::PropertyPrinter print{ os, indent };
+
+  this->Superclass::PrintSelf(os, indent);
+  print("Resampling", this->Resampling);
+  print("MasksToLabels", this->MasksToLabels);
+  print("TableFile", this->TableFile);
+}
