@@ -30,6 +30,21 @@ void AddColumn(const std::string& name, std::size_t count, const ValueOf& valueO
 }
 }
 
+std::string StructuresWithoutMatter(
+  const Structures& structures, const std::vector<StructureShares>& shares)
+{
+  std::string names;
+  for (std::size_t row = 1; row <= shares.size(); ++row)
+  {
+    if (!(shares[row - 1].important > 0))
+    {
+      const Structure& structure = structures.At(static_cast<StructureRow>(row));
+      names += (names.empty() ? "" : ", ") + structure.NameOrLabel();
+    }
+  }
+  return names;
+}
+
 void FillStructures(
   const Structures& structures, const std::vector<StructureShares>& shares, vtkTable* table)
 {

@@ -6,12 +6,17 @@
 
 #include "energy/StructureLedger.h"
 
+#include <string>
 #include <vector>
 
 class vtkTable;
 
 namespace limpid
 {
+/// Returns the names of structures that have nothing to see, for a message; empty: there are none.
+std::string StructuresWithoutMatter(
+  const Structures& structures, const std::vector<StructureShares>& shares);
+
 /// Fills a table with one row per structure, see vtkExtinctionOptimizer. `shares`: in the order of
 /// the structures; empty: not known.
 void FillStructures(

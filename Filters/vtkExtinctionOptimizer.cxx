@@ -276,11 +276,20 @@ void vtkExtinctionOptimizer::Internals::WriteStructures(
       << "Several processes share the image (what is seen of each structure is not computed in "
          "distributed runs): the table Structures has no shares. Run one process for them.");
   }
-  const bool isCounted = solver && this->Ranks->IsAlone();
-  limpid::FillStructures(*scene.structures,
-    isCounted ? solver->SharesOf(*scene.structures, scene.arrays.structureRows->GetPointer(0))
-              : std::vector<limpid::StructureShares>(),
-    table);
+  std::vector<limpid::StructureShares> shares;
+  if (solver && this->Ranks->IsAlone())
+  {
+    shares = solver->SharesOf(*scene.structures, scene.arrays.structureRows->GetPointer(0));
+  }
+  const std::string missing = limpid::StructuresWithoutMatter(*scene.structures, shares);
+  if (!missing.empty())
+  {
+    vtkWarningWithObjectMacro(this->Self,
+      << "Of these structures there is nothing to see in the image: " << missing
+      << " (no point has the label, or the points have no extinction; their shares are 0). Check "
+         "the labels, the structure array and the opacity function.");
+  }
+  limpid::FillStructures(*scene.structures, shares, table);
 }
 
 // Returns whether the light has its own extinction.

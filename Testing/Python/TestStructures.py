@@ -244,6 +244,7 @@ class TestShares(StructuresTest):
         result = optimizer(image, *(structures or self.GIVEN), **properties)
         result.Update()
         self.assert_no_error(result)
+        self.warnings = result.messages["WarningEvent"]
         table = result.GetStructureTable()
         columns = {table.GetColumnName(i): table.GetColumn(i) for i in range(table.GetNumberOfColumns())}
         return result.GetOutput(), columns
@@ -287,6 +288,8 @@ class TestShares(StructuresTest):
         for name in ("Visible", "Removed", "Attainable", "HiddenByOther"):
             self.assertEqual(columns[name].GetTuple1(1), 0)
         self.assertEqual(columns["Target"].GetTuple1(1), 0.5)
+        self.assertEqual(len(self.warnings), 1)
+        self.assertIn("there is nothing to see in the image: nowhere (", self.warnings[0])
 
     def test_without_labels_are_no_rows(self):
         result = filter_on(phantom(20), vtkExtinctionOptimizer)
