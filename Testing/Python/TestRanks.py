@@ -214,6 +214,33 @@ class TestRanks(unittest.TestCase):
         self.assertTrue((values_in(free, "Extinction", free.GetExtent()) !=
                          values_in(whole.GetOutput(), "Extinction", free.GetExtent())).any())
 
+    def test_structures(self):
+        image = whole_phantom()
+        array = vtkFloatArray()
+        array.SetName("Labels")
+        for value in images.values(image, "Importance"):
+            array.InsertNextValue(float(int(4 * value)))
+        image.GetPointData().AddArray(array)
+
+        def choose(optimizer):
+            optimizer.SetInputArrayToProcess(
+                3, 0, 0, vtkDataObject.FIELD_ASSOCIATION_POINTS, "Labels")
+            optimizer.AddStructure(1, "some", 0.25)
+            optimizer.AddStructure(3, "others", 1.0)
+
+        whole = optimizer_of(image=image)
+        choose(whole)
+        whole.UpdatePiece(0, 1, 0)
+        pieces = Pieces(image, slabs(image, 2, 1))
+        optimizer = optimizer_of(connection=pieces.GetOutputPort())
+        choose(optimizer)
+        optimizer.UpdatePiece(RANK, RANKS, 0)
+        self.same(whole.GetOutput(), optimizer)
+        names = [optimizer.GetStructureTable().GetColumnByName("Name").GetValue(row)
+                 for row in range(2)]
+        self.assertEqual(names, ["some", "others"])
+        self.assertIsNone(optimizer.GetStructureTable().GetColumnByName("Visible"))
+
     def test_importance_of_cells(self):
         image = whole_phantom()
         cells = images.values(image, "Importance").reshape(20, 20, 20)[:-1, :-1, :-1].ravel()
