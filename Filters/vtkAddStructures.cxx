@@ -11,6 +11,7 @@
 #include "OwnArrays.h"
 #include "PropertyPrinter.h"
 #include "StructureTableFile.h"
+#include "WholeRequest.h"
 
 #include "vtkCellData.h"
 #include "vtkDataSetAttributes.h"
@@ -21,7 +22,6 @@
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
-#include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkStringArray.h"
 #include "vtkTable.h"
 
@@ -353,15 +353,7 @@ int vtkAddStructures::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
 {
   // A point may be anywhere in the label image, of which all is requested.
-  using Pipeline = vtkStreamingDemandDrivenPipeline;
-  vtkInformation* info = inputVector[1]->GetInformationObject(0);
-  info->Set(Pipeline::UPDATE_PIECE_NUMBER(), 0);
-  info->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), 1);
-  info->Set(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
-  if (info->Has(Pipeline::WHOLE_EXTENT()))
-  {
-    info->Set(Pipeline::UPDATE_EXTENT(), info->Get(Pipeline::WHOLE_EXTENT()), 6);
-  }
+  limpid::RequestWhole(inputVector[1]->GetInformationObject(0));
   return 1;
 }
 

@@ -4,13 +4,13 @@
 #include "vtkVisibilityAlgorithm.h"
 
 #include "PropertyPrinter.h"
+#include "WholeRequest.h"
 
 #include "vtkDataObject.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkPiecewiseFunction.h"
-#include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <algorithm>
 
@@ -69,17 +69,7 @@ int vtkVisibilityAlgorithm::FillInputPortInformation(int, vtkInformation* info)
 int vtkVisibilityAlgorithm::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
 {
-  // Any point may hide any other, so the whole image is requested in one piece, whichever piece is
-  // requested from this filter.
-  using Pipeline = vtkStreamingDemandDrivenPipeline;
-  vtkInformation* info = inputVector[0]->GetInformationObject(0);
-  info->Set(Pipeline::UPDATE_PIECE_NUMBER(), 0);
-  info->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), 1);
-  info->Set(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
-  if (info->Has(Pipeline::WHOLE_EXTENT()))
-  {
-    info->Set(Pipeline::UPDATE_EXTENT(), info->Get(Pipeline::WHOLE_EXTENT()), 6);
-  }
+  limpid::RequestWhole(inputVector[0]->GetInformationObject(0)); // any point may hide any other
   return 1;
 }
 

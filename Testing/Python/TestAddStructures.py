@@ -15,7 +15,7 @@ from vtkmodules.vtkIOXML import vtkXMLImageDataReader
 
 from limpid.vtkLimpidFilters import vtkAddStructures
 
-from images import (FilterTest, PartOf, abort_at_every_event, blocks_of, caught, image_of,
+from images import (FilterTest, PartOf, abort_at_every_event, blocks_of, catching, image_of,
                     memory_limited_to, values, with_input)
 
 POINTS, CELLS = vtkDataObject.FIELD_ASSOCIATION_POINTS, vtkDataObject.FIELD_ASSOCIATION_CELLS
@@ -106,10 +106,7 @@ def filter_of(image, structures, name=None, on_cells=False, **properties):
         result.SetInputArrayToProcess(0, 1, 0, CELLS if on_cells else POINTS, name)
     for key, value in properties.items():
         getattr(result, "Set" + key)(value)
-    result.messages = {event: caught(result, event) for event in ("ErrorEvent", "WarningEvent")}
-    for event in result.messages:
-        result.GetExecutive().AddObserver(event, lambda *_: None)
-    return result
+    return catching(result)
 
 
 class StructureTest(FilterTest):

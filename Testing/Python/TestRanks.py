@@ -190,6 +190,18 @@ class TestRanks(unittest.TestCase):
                 with self.subTest(weight=weight, **properties):
                     self.same(whole.GetOutput(), optimizer)
 
+    def same_in_slabs(self, image, choose, **properties):
+        """Compares an optimizer of the whole image with one of slabs; `choose` sets both up."""
+        whole = optimizer_of(image=image, **properties)
+        choose(whole)
+        whole.UpdatePiece(0, 1, 0)
+        pieces = Pieces(image, slabs(image, 2, 1))
+        optimizer = optimizer_of(connection=pieces.GetOutputPort(), **properties)
+        choose(optimizer)
+        optimizer.UpdatePiece(RANK, RANKS, 0)
+        self.same(whole.GetOutput(), optimizer)
+        return whole, optimizer
+
     def test_stay_near_a_reference(self):
         image = whole_phantom()
         array = vtkFloatArray()
@@ -202,14 +214,7 @@ class TestRanks(unittest.TestCase):
             optimizer.SetInputArrayToProcess(
                 4, 0, 0, vtkDataObject.FIELD_ASSOCIATION_POINTS, "Half")
 
-        whole = optimizer_of(image=image, ReferencePull=0.3)
-        choose(whole)
-        whole.UpdatePiece(0, 1, 0)
-        pieces = Pieces(image, slabs(image, 2, 1))
-        optimizer = optimizer_of(connection=pieces.GetOutputPort(), ReferencePull=0.3)
-        choose(optimizer)
-        optimizer.UpdatePiece(RANK, RANKS, 0)
-        self.same(whole.GetOutput(), optimizer)
+        whole, _ = self.same_in_slabs(image, choose, ReferencePull=0.3)
         free = alone(image)
         self.assertTrue((values_in(free, "Extinction", free.GetExtent()) !=
                          values_in(whole.GetOutput(), "Extinction", free.GetExtent())).any())
@@ -228,14 +233,7 @@ class TestRanks(unittest.TestCase):
             optimizer.AddStructure(1, "some", 0.25)
             optimizer.AddStructure(3, "others", 1.0)
 
-        whole = optimizer_of(image=image)
-        choose(whole)
-        whole.UpdatePiece(0, 1, 0)
-        pieces = Pieces(image, slabs(image, 2, 1))
-        optimizer = optimizer_of(connection=pieces.GetOutputPort())
-        choose(optimizer)
-        optimizer.UpdatePiece(RANK, RANKS, 0)
-        self.same(whole.GetOutput(), optimizer)
+        _, optimizer = self.same_in_slabs(image, choose)
         names = [optimizer.GetStructureTable().GetColumnByName("Name").GetValue(row)
                  for row in range(2)]
         self.assertEqual(names, ["some", "others"])
@@ -254,14 +252,7 @@ class TestRanks(unittest.TestCase):
             optimizer.SetInputArrayToProcess(
                 1, 0, 0, vtkDataObject.FIELD_ASSOCIATION_CELLS, "OfCells")
 
-        whole = optimizer_of(image=image)
-        choose(whole)
-        whole.UpdatePiece(0, 1, 0)
-        pieces = Pieces(image, slabs(image, 2, 1))
-        optimizer = optimizer_of(connection=pieces.GetOutputPort())
-        choose(optimizer)
-        optimizer.UpdatePiece(RANK, RANKS, 0)
-        self.same(whole.GetOutput(), optimizer)
+        self.same_in_slabs(image, choose)
 
     def test_an_error_is_one_of_all_and_they_go_on(self):
         image = whole_phantom()

@@ -165,6 +165,14 @@ def memory_limited_to(more):
         resource.setrlimit(resource.RLIMIT_AS, before)
 
 
+def catching(result):
+    """A filter whose messages are caught, in `messages`."""
+    result.messages = {event: caught(result, event) for event in ("ErrorEvent", "WarningEvent")}
+    for event in result.messages:
+        result.GetExecutive().AddObserver(event, lambda *_: None)
+    return result
+
+
 def filter_on(image, filter_class, **properties):
     """A filter that takes its extinction from the array BaseExtinction, with messages caught."""
     result = filter_class()
@@ -172,10 +180,7 @@ def filter_on(image, filter_class, **properties):
     result.SetExtinctionSource(vtkVisibilityAlgorithm.ARRAY)
     for name, value in properties.items():
         getattr(result, "Set" + name)(value)
-    result.messages = {event: caught(result, event) for event in ("ErrorEvent", "WarningEvent")}
-    for event in result.messages:
-        result.GetExecutive().AddObserver(event, lambda *_: None)
-    return result
+    return catching(result)
 
 
 def abort_at_every_event(filter_, look, step=1):

@@ -313,11 +313,14 @@ struct StructureLedger::Internals
 
   std::size_t RowCount() const { return this->structures->Count() + 1; }
 
-  /// Calls act(ray, frustum, column, row, weight) for all rays that count, in parallel.
+  /// Sums what act(ray, frustum, column, row, weight, sums, access) adds for all rays that count,
+  /// in parallel.
   template <class Cuts, class Act>
-  void ForRays(const std::vector<PlannedFrustum>& frusta, const LedgerFields& fields,
+  LedgerSums SumOverRays(const std::vector<PlannedFrustum>& frusta, const LedgerFields& fields,
     bool tellsHiders, const Act& act) const
   {
+    LedgerSums sums(this->RowCount(), tellsHiders);
+    std::mutex access;
     for (const PlannedFrustum& frustum : frusta)
     {
       const float* inView = frustum.seesAll ? nullptr : frustum.Row(frustum.inView);
@@ -338,37 +341,29 @@ struct StructureLedger::Internals
                 double(frustum.Row(frustum.rowShare)[row]);
               if (share > 0 && (!inView || inView[number] > 0))
               {
-                act(ray, frustum, column, row, share / double(frustum.Row(frustum.length)[number]));
+                act(ray, frustum, column, row, share / double(frustum.Row(frustum.length)[number]),
+                  sums, access);
               }
             }
           }
         });
     }
+    return sums;
   }
 
   template <class Cuts>
   LedgerSums See(
     const std::vector<PlannedFrustum>& frusta, const float* extinction, bool tellsHiders) const
   {
-    const LedgerFields fields{ extinction, this->base, this->rows };
-    LedgerSums sums(this->RowCount(), tellsHiders);
-    std::mutex access;
-    this->ForRays<Cuts>(frusta, fields, tellsHiders,
-      [&](auto& ray, const PlannedFrustum& frustum, int column, int row, double weight)
-      { ray.See(frustum, column, row, weight, sums, access); });
-    return sums;
+    return this->SumOverRays<Cuts>(frusta, { extinction, this->base, this->rows }, tellsHiders,
+      [](LedgerRay<Cuts>& ray, auto&&... rest) { ray.See(rest...); });
   }
 
   template <class Cuts>
   LedgerSums FindMost(const std::vector<PlannedFrustum>& frusta, const float* least) const
   {
-    const LedgerFields fields{ this->base, least, this->rows, true };
-    LedgerSums sums(this->RowCount(), false);
-    std::mutex access;
-    this->ForRays<Cuts>(frusta, fields, false,
-      [&](auto& ray, const PlannedFrustum& frustum, int column, int row, double weight)
-      { ray.FindMost(frustum, column, row, weight, sums, access); });
-    return sums;
+    return this->SumOverRays<Cuts>(frusta, { this->base, least, this->rows, true }, false,
+      [](LedgerRay<Cuts>& ray, auto&&... rest) { ray.FindMost(rest...); });
   }
 
   template <class Cuts>
