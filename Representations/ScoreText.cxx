@@ -5,20 +5,12 @@
 
 #include "vtkTransmittanceVolumeMapper.h"
 
-#include <iomanip>
-#include <sstream>
+#include "math/PercentText.h"
 
 namespace limpid
 {
 namespace
 {
-std::string Percent(double share)
-{
-  std::ostringstream text;
-  text << std::fixed << std::setprecision(1) << 100 * share << " %";
-  return text.str();
-}
-
 bool IsOptimizing(vtkTransmittanceVolumeMapper* mapper)
 {
   return mapper->GetMethod() != vtkTransmittanceVolumeMapper::ORDINARY &&
@@ -69,15 +61,16 @@ std::string ScoreText(vtkTransmittanceVolumeMapper* mapper, bool isInView, const
   }
   const double most = mapper->GetAttainableFraction();
   std::string text =
-    name.empty() ? "Visible " + Percent(now) : name + ": " + Percent(now) + " visible";
-  text += most > 0 ? " of at most " + Percent(most) + " from here" : " of the important structures";
+    name.empty() ? "Visible " + PercentText(now) : name + ": " + PercentText(now) + " visible";
+  text +=
+    most > 0 ? " of at most " + PercentText(most) + " from here" : " of the important structures";
   text += Where(mapper);
   if (IsOptimizing(mapper))
   {
-    text += " (was " + Percent(before) + ")\n";
+    text += " (was " + PercentText(before) + ")\n";
     constexpr double worthTelling = 0.0005; // smaller shares would read 0.0 %
     const double removed = mapper->GetSacrificedFraction();
-    text += removed >= worthTelling ? Percent(removed) + " removed, " : "";
+    text += removed >= worthTelling ? PercentText(removed) + " removed, " : "";
     text += Progress(mapper);
   }
   return text;

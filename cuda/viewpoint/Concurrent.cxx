@@ -4,14 +4,12 @@
 #include "viewpoint/Concurrent.h"
 
 #include "backend/Backend.h"
+#include "math/PercentText.h"
 #include "optimize/PreparedScene.h"
-
-#include <glm/gtc/constants.hpp>
+#include "viewpoint/HighestView.h"
 
 #include <algorithm>
 #include <cmath>
-#include <iomanip>
-#include <sstream>
 #include <utility>
 
 namespace limpid
@@ -21,34 +19,8 @@ namespace
 /// Maximum number of cameras after the first one for which the extinction is optimised.
 constexpr int mostMoves = 6;
 
-/// Number of directions whose ceilings are compared before a climb, about 0.5 radians apart.
-constexpr int startDirections = 48;
-
-/// First and smallest move along the slope of the score [radians].
-constexpr double firstMove = 0.25;
+/// Smallest move along the slope of the score [radians].
 constexpr double smallestMove = 0.02;
-
-/// Returns directions spread evenly over the sphere, on a spiral from pole to pole.
-std::vector<Vec3> SpiralOfDirections(int count)
-{
-  const double goldenAngle = glm::pi<double>() * (3 - std::sqrt(5.0));
-  std::vector<Vec3> directions;
-  for (int i = 0; i < count; ++i)
-  {
-    const double height = 1 - (2 * i + 1) / double(count);
-    const double radius = std::sqrt(1 - height * height);
-    const double turn = goldenAngle * i;
-    directions.emplace_back(radius * std::cos(turn), height, radius * std::sin(turn));
-  }
-  return directions;
-}
-
-std::string Percent(double share)
-{
-  std::ostringstream text;
-  text << std::fixed << std::setprecision(1) << 100 * share << " %";
-  return text.str();
-}
 
 class ConcurrentOptimizer
 {
@@ -61,11 +33,8 @@ public:
     , Lamp(light)
     , Options(settings)
     , Report(progress)
+    , Sphere(OrbitOf(camera))
   {
-    this->Sphere.centre = camera.focalPoint;
-    this->Sphere.distance = glm::length(camera.position - camera.focalPoint);
-    this->Sphere.parallel = camera.parallel;
-    this->Sphere.parallelScale = camera.parallelScale;
     this->Best.camera = camera;
   }
 
@@ -193,28 +162,15 @@ private:
     }
   }
 
-  /// Returns the view with the highest ceiling, by sampling all sides and climbing from the best
-  /// samples, which include `start`.
+  /// Returns the view with the highest ceiling.
   ScoredView HighestCeiling(const ViewScore& score, const ScoredView& start)
   {
-    SearchSettings search;
-    search.viewpoints = 2;
-    search.firstStep = firstMove;
-    const auto report = [&](double from, double to)
-    {
-      return SearchProgress(
-        [this, from, to](double share) { return this->GoesOn(from + share * (to - from), ""); });
-    };
-    const double half = 0.5 * (mostMoves - 1) / (mostMoves + 1);
-    std::vector<ScoredView> samples =
-      ScoreViews(score, this->Sphere, SpiralOfDirections(startDirections), report(0, half));
-    samples.push_back(start);
-    SearchResult climbs =
-      FindViewpoints(score, this->Sphere, samples, search, report(half, 2 * half));
-    this->Best.views = climbs.evaluations;
-    const ScoredView highest = climbs.viewpoints.empty() ? start : climbs.viewpoints.front();
-    this->Best.highestCeiling = std::max(highest.score.fraction, start.score.fraction);
-    return highest;
+    constexpr double shareOfSearch = double(mostMoves - 1) / (mostMoves + 1);
+    const HighestView highest = FindHighestView(score, this->Sphere, start,
+      [this](double share) { return this->GoesOn(share * shareOfSearch, ""); });
+    this->Best.views = highest.evaluations;
+    this->Best.highestCeiling = std::max(highest.view.score.fraction, start.score.fraction);
+    return highest.view;
   }
 
   /// Climbs to where most of the important structures would be seen if nothing occluded them. If
@@ -300,9 +256,9 @@ std::string ConcurrentResult::Proof() const
     return {};
   }
   const double found = this->solver->BestScore().fraction;
-  return "The result reaches " + Percent(found / ceiling) +
+  return "The result reaches " + PercentText(found / ceiling) +
     " of the ceiling of its view, which is " +
-    Percent(std::min(ceiling / this->highestCeiling, 1.0)) + " of the highest ceiling of " +
+    PercentText(std::min(ceiling / this->highestCeiling, 1.0)) + " of the highest ceiling of " +
     std::to_string(this->views) + " views.";
 }
 
