@@ -5,10 +5,13 @@
 
 #include "backend/Backend.h"
 #include "backend/Interruption.h"
+#include "distributed/Neighbourhood.h"
+#include "distributed/OccupancyOnRanks.h"
 #include "energy/CeilingKernel.h"
 #include "energy/SceneSurvey.h"
 #include "energy/StructureSampler.h"
 #include "math/ExactSum.h"
+#include "sweep/BandDecomposition.h"
 #include "sweep/PlanSweep.h"
 #include "sweep/RayHere.h"
 
@@ -16,6 +19,7 @@
 #include <array>
 #include <limits>
 #include <mutex>
+#include <utility>
 
 namespace limpid
 {
@@ -37,6 +41,88 @@ struct LedgerSums
     , most(rows)
   {
   }
+
+  void SumOver(const Communicator& ranks)
+  {
+    for (std::vector<ExactSum>* sums : { &this->visible, &this->kept, &this->hidden, &this->most })
+    {
+      ranks.Sum(sums->data(), sums->size());
+    }
+  }
+};
+
+/// Returns boxes of nodes that the rays of each rank read, in empty parts of the scene, too.
+std::vector<NodeBox> BoxesRead(const FaceFrustum& frustum, const BandDecomposition& bands)
+{
+  std::vector<NodeBox> boxes;
+  for (int rank = 0; rank < bands.Ranks().Size(); ++rank)
+  {
+    Range<int> rows;
+    for (int node = 0; node < bands.Depth(); ++node)
+    {
+      rows = Hull(rows, bands.VoxelsNeeded(rank, node));
+    }
+    boxes.push_back(BoxOf(frustum, { 0, frustum.nodesU }, Grown(rows, 1, frustum.nodesV),
+      { 0, rows.Empty() ? 0 : bands.Depth() }));
+  }
+  return boxes;
+}
+
+/// The rays of a frustum that this rank has, and the fields that they read.
+class LedgerRays
+{
+public:
+  /// `given`: the nodes of this rank's box in `piece`, which has all nodes if it is alone.
+  LedgerRays(const FaceFrustum& planned, const ScenePiece& piece, const LedgerFields& given)
+    : Frustum(planned)
+    , Bands(planned, *piece.ranks)
+    , Boxes(piece.IsWhole() ? piece.boxes : BoxesRead(planned, this->Bands))
+    , Extinction(FieldIn(piece, this->Boxes, given.extinction))
+    , Base(given.base ? FieldIn(piece, this->Boxes, given.base) : FieldInBox(nullptr))
+  {
+    const NodeBox& box = this->Boxes[std::size_t(piece.ranks->Rank())];
+    const FieldView view = FieldView::Part(const_cast<float*>(this->Extinction.Data()), box);
+    this->Frustum.strideU = view.stride[std::size_t(planned.axisU)];
+    this->Frustum.strideV = view.stride[std::size_t(planned.axisV)];
+    this->Frustum.strideW = view.stride[std::size_t(planned.axisW)];
+    const Int3 first = box.First();
+    const Index toFirst = box.Empty() ? 0 : view.At(first.x, first.y, first.z);
+    this->Given.extinction = this->Extinction.Data() - toFirst;
+    this->Given.base = given.base ? this->Base.Data() - toFirst : nullptr;
+    this->Given.rows = this->RowsFor(piece, given.rows) - toFirst;
+    this->Given.bounded = given.bounded;
+  }
+
+  const FaceFrustum& Plan() const { return this->Frustum; }
+  const LedgerFields& Fields() const { return this->Given; }
+  Range<int> Here() const { return this->Bands.RaysHere(this->Frustum.lastSlice); }
+
+private:
+  /// Returns the rows of structures at the nodes that are read; numbers of 16 bits are exact as
+  /// floats.
+  const StructureRow* RowsFor(const ScenePiece& piece, const StructureRow* given)
+  {
+    if (piece.IsWhole())
+    {
+      return given;
+    }
+    NodeValues numbers(piece.nodes.Count());
+    std::copy(given, given + piece.nodes.Count(), numbers.Data());
+    const FieldInBox read = FieldIn(piece, this->Boxes, There(numbers.Data()));
+    const Index count = this->Boxes[std::size_t(piece.ranks->Rank())].Count();
+    this->Rows.resize(std::size_t(count));
+    std::transform(read.Data(), read.Data() + count, this->Rows.begin(),
+      [](float number) { return static_cast<StructureRow>(number); });
+    return this->Rows.data();
+  }
+
+  FaceFrustum Frustum; ///< with strides of the fields here
+  BandDecomposition Bands;
+  std::vector<NodeBox> Boxes;
+  FieldInBox Extinction;
+  FieldInBox Base;
+  std::vector<StructureRow> Rows; ///< empty where those given are read
+  LedgerFields Given{};
 };
 
 /// The values of a structure in a layer of a ray.
@@ -306,10 +392,32 @@ private:
 struct StructureLedger::Internals
 {
   limpid::Grid grid;
+  std::shared_ptr<const ScenePiece> piece;
   const Structures* structures;
   const StructureRow* rows;
   const float* base;
-  std::shared_ptr<const Occupancy> occupancy;
+  std::shared_ptr<const Occupancy> occupancy; ///< of what absorbs and is part of a structure
+
+  Occupancy FindOccupancy() const
+  {
+    NodeValues isPart(this->piece->nodes.Count());
+    std::transform(this->rows, this->rows + this->piece->nodes.Count(), isPart.Data(),
+      [](StructureRow row) { return row > 0 ? 1.0f : 0.0f; });
+    const Neighbourhood around(*this->piece, this->grid);
+    const FieldInBox extinctions = around.Extended(this->base);
+    const FieldInBox parts = around.Extended(There(isPart.Data()));
+    NodeValues nodes;
+    if (!around.Empty())
+    {
+      nodes = around.Inside(SurveyScene(
+        around.Around(), extinctions.Data(), std::numeric_limits<float>::max(), parts.Data(), 1)
+                              .nodeImportance);
+    }
+    const auto view = [this](const float* field)
+    { return FieldView::Part(const_cast<float*>(field), this->piece->nodes); };
+    return OccupancyOnRanks(*this->piece->ranks, this->grid, this->piece->Owned(), view(this->base),
+      view(nodes.Data()), /*skip=*/true);
+  }
 
   std::size_t RowCount() const { return this->structures->Count() + 1; }
 
@@ -321,16 +429,19 @@ struct StructureLedger::Internals
   {
     LedgerSums sums(this->RowCount(), tellsHiders);
     std::mutex access;
-    for (const PlannedFrustum& frustum : frusta)
+    for (const PlannedFrustum& planned : frusta)
     {
+      const LedgerRays rays(planned, *this->piece, fields);
+      const FaceFrustum& frustum = rays.Plan();
       const float* inView = frustum.seesAll ? nullptr : frustum.Row(frustum.inView);
+      const Range<int> here = rays.Here();
       constexpr int rowsPerTask = 8;
-      ParallelFor((frustum.rows + rowsPerTask - 1) / rowsPerTask, 1,
+      ParallelFor((here.Length() + rowsPerTask - 1) / rowsPerTask, 1,
         [&](Index task)
         {
-          LedgerRay<Cuts> ray(fields, *this->structures, tellsHiders);
-          const int begin = static_cast<int>(task) * rowsPerTask;
-          for (int row = begin; row < std::min(begin + rowsPerTask, frustum.rows); ++row)
+          LedgerRay<Cuts> ray(rays.Fields(), *this->structures, tellsHiders);
+          const int begin = here.begin + static_cast<int>(task) * rowsPerTask;
+          for (int row = begin; row < std::min(begin + rowsPerTask, here.end); ++row)
           {
             Interruptible::Check();
             for (int column = 0; column < frustum.columns; ++column)
@@ -348,6 +459,7 @@ struct StructureLedger::Internals
           }
         });
     }
+    sums.SumOver(*this->piece->ranks);
     return sums;
   }
 
@@ -355,8 +467,11 @@ struct StructureLedger::Internals
   LedgerSums See(
     const std::vector<PlannedFrustum>& frusta, const float* extinction, bool tellsHiders) const
   {
-    return this->SumOverRays<Cuts>(frusta, { extinction, this->base, this->rows }, tellsHiders,
-      [](LedgerRay<Cuts>& ray, auto&&... rest) { ray.See(rest...); });
+    // A rank without nodes cannot tell whether this is the base extinction.
+    const bool isBase = !this->piece->ranks->AnyOf(extinction != this->base);
+    const LedgerFields fields{ extinction, isBase ? nullptr : this->base, this->rows };
+    return this->SumOverRays<Cuts>(
+      frusta, fields, tellsHiders, [](LedgerRay<Cuts>& ray, auto&&... rest) { ray.See(rest...); });
   }
 
   template <class Cuts>
@@ -394,16 +509,12 @@ struct StructureLedger::Internals
   }
 };
 
-StructureLedger::StructureLedger(const limpid::Grid& grid, const Structures& structures,
-  const StructureRow* rows, const float* base)
-  : State(std::make_unique<Internals>(Internals{ grid, &structures, rows, base, nullptr }))
+StructureLedger::StructureLedger(const limpid::Grid& grid, std::shared_ptr<const ScenePiece> piece,
+  const Structures& structures, const StructureRow* rows, const float* base)
+  : State(std::make_unique<Internals>(
+      Internals{ grid, std::move(piece), &structures, rows, There(base), nullptr }))
 {
-  const Index count = grid.NodeCount();
-  std::vector<float> isPart(static_cast<std::size_t>(count));
-  std::transform(
-    rows, rows + count, isPart.begin(), [](StructureRow row) { return row > 0 ? 1.0f : 0.0f; });
-  this->State->occupancy =
-    SurveyScene(grid, base, std::numeric_limits<float>::max(), isPart.data(), 1).occupancy;
+  this->State->occupancy = std::make_shared<const Occupancy>(this->State->FindOccupancy());
 }
 
 StructureLedger::~StructureLedger() = default;

@@ -13,6 +13,8 @@
 
 namespace limpid
 {
+struct ScenePiece;
+
 /// What a camera sees of a structure, as shares of what the data have of it: the integral of its
 /// membership times the base extinction. Visible, removed and hidden add up to 1.
 struct StructureShares
@@ -35,7 +37,7 @@ constexpr std::size_t mostHiders = 256;
  * The rays of a camera that count what it sees of each structure (Documentation/Method.md, section
  * on structures). They have the samples of a score, so that shares of structures, weighted by
  * their importance, add up to that score but for rounding. All sums are exact: results do not
- * depend on the number of threads.
+ * depend on the numbers of threads and processes.
  */
 class StructureLedger
 {
@@ -47,15 +49,15 @@ public:
     bool fine = false;     ///< see VisibilityTerm
   };
 
-  /// Fields have grid.NodeCount() values, which the caller keeps. `rows`: row of the structure of
-  /// each node; `base`: base extinction [1/length].
-  StructureLedger(
-    const Grid& grid, const Structures& structures, const StructureRow* rows, const float* base);
+  /// Fields have the values of the nodes of a piece, which the caller keeps. `rows`: row of the
+  /// structure of each node; `base`: base extinction [1/length]. Collective, like all members.
+  StructureLedger(const Grid& grid, std::shared_ptr<const ScenePiece> piece,
+    const Structures& structures, const StructureRow* rows, const float* base);
   ~StructureLedger();
 
   /// Returns the shares of all structures, in the order of their rows. `extinction`: see the
   /// constructor; `least`: lower bound of the extinction, of which a ceiling has that of its own
-  /// structure; null stands for 0 [1/length].
+  /// structure; null, on all processes, stands for 0 [1/length].
   std::vector<StructureShares> SharesFrom(const RaySource& camera, const Sampling& sampling,
     const float* extinction, const float* least) const;
 

@@ -93,7 +93,6 @@ public:
   template <class Resolve, class Step>
   void ForEachResolved(const Resolve& resolve, const Step& step) const
   {
-    // A null bound stands for 0; steps then do not ask for it.
     const RayFields<Field> fields{ this->Given->extinction, nullptr, this->Given->base };
     StepResolved(this->Ray, *this, fields, resolve, this->I, 0, step,
       [&](Index) { this->ForEachInLayer(step); });
@@ -114,9 +113,8 @@ private:
     const LedgerFields& fields = *this->Given;
     if (!fields.bounded)
     {
-      return fields.extinction == fields.base
-        ? sampled
-        : this->BlendLayer(LesserOf{ fields.extinction, fields.base }, corner);
+      return fields.base ? this->BlendLayer(LesserOf{ fields.extinction, fields.base }, corner)
+                         : sampled;
     }
     return fields.base ? this->BlendLayer([this, &fields](Node node)
                            { return this->Shares[fields.rows[node]] * fields.base[node]; },

@@ -62,6 +62,11 @@ std::vector<float> Applied(const SceneFields& scene, const ScenePiece& to, float
 }
 }
 
+Index CarriedChange::ValueCount() const
+{
+  return this->piece ? this->piece->nodes.Count() : this->grid.NodeCount();
+}
+
 double CarriedChange::NearnessTo(
   const Camera& otherCamera, const Light& otherLight, const Settings& otherSettings) const
 {

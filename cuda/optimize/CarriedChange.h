@@ -4,7 +4,6 @@
 #ifndef limpid_optimize_CarriedChange_h
 #define limpid_optimize_CarriedChange_h
 
-#include "distributed/ScenePiece.h"
 #include "optimize/Settings.h"
 #include "scene/Grid.h"
 #include "scene/RaySource.h"
@@ -16,6 +15,7 @@
 namespace limpid
 {
 struct SceneFields;
+struct ScenePiece;
 
 /// Likeness of data at different time steps. It is low because the optimum moves with the data.
 /// Staying as near as between two views would cost more of the score
@@ -42,11 +42,7 @@ struct CarriedChange
   Settings settings;
   double likeness = 1; ///< similarity of the data to the present data, apart from the above [0, 1]
 
-  /// Number of values in this process.
-  Index ValueCount() const
-  {
-    return this->piece ? this->piece->nodes.Count() : this->grid.NodeCount();
-  }
+  Index ValueCount() const; ///< number of values in this process
 
   /// Returns the weight of this change as a reference for another camera and light, in [0, 1]. It
   /// is the likeness if all directions from the centre of the grid are the same. It falls to 0 at

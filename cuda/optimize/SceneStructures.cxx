@@ -3,6 +3,8 @@
 
 #include "optimize/SceneStructures.h"
 
+#include "scene/FieldView.h"
+
 #include <cstddef>
 
 namespace limpid
@@ -34,8 +36,10 @@ std::vector<StructureShares> SharesOfStructures(PreparedScene& scene, const Came
   const StructureRow* rows, const float* extinction)
 {
   const Problem scored = scene.ProblemForScores(camera, light, settings);
-  const StructureLedger ledger(scored.grid, structures, rows, scored.baseExtinction);
-  const NodeValues least = scene.LeastExtinction(settings);
+  const StructureLedger ledger(
+    scored.grid, scene.Arrays().piece, structures, rows, scored.baseExtinction);
+  const NodeValues bound = scene.LeastExtinction(settings);
+  const float* least = settings.protectImportance > 0 ? There(bound.Data()) : nullptr;
   const StructureLedger::Sampling sampling{ scored.settings.rayDensity, scored.fine };
   std::vector<const RaySource*> cameras;
   for (const TermSource& source : scored.sources)
@@ -48,7 +52,7 @@ std::vector<StructureShares> SharesOfStructures(PreparedScene& scene, const Came
   std::vector<StructureShares> mean;
   for (const RaySource* rays : cameras)
   {
-    Add(mean, ledger.SharesFrom(*rays, sampling, extinction, least.Data()),
+    Add(mean, ledger.SharesFrom(*rays, sampling, There(extinction), least),
       1 / double(cameras.size()));
   }
   return mean;

@@ -13,7 +13,7 @@ namespace limpid
 {
 /// Returns what the cameras of a view see of each structure, as the mean over cameras; with the
 /// samples of their scores. `rows`: row of the structure of each node; `extinction`: of the nodes
-/// [1/length]. Costs about as much as ten scores, on the processor. Not in distributed runs.
+/// [1/length]. Costs about as much as ten scores, on the processor. Collective.
 std::vector<StructureShares> SharesOfStructures(PreparedScene& scene, const Camera& camera,
   const Light& light, const Settings& settings, const Structures& structures,
   const StructureRow* rows, const float* extinction);
