@@ -19,6 +19,7 @@
 #include "vtkTable.h"
 
 #include "viewpoint/Concurrent.h"
+#include "viewpoint/MeetTargets.h"
 
 #include <algorithm>
 #include <cmath>
@@ -191,6 +192,11 @@ void AddSummary(const OptimizationSummary& summary, vtkFieldData* output)
   AddValue<vtkIntArray>("Settled", summary.settled ? 1 : 0, output);
   AddValue<vtkDoubleArray>("Seconds", summary.seconds, output);
   AddValue<vtkStringArray>("Backend", summary.backend, output);
+}
+
+void AddTargets(const TargetsFound& found, vtkFieldData* output)
+{
+  AddValue<vtkStringArray>("Targets", found.text, output);
 }
 
 void AddViewpoint(const ConcurrentResult& result, vtkFieldData* output)

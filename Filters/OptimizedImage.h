@@ -19,6 +19,7 @@ namespace limpid
 {
 struct Camera;
 struct ConcurrentResult;
+struct TargetsFound;
 struct Light;
 struct SceneArrays;
 
@@ -50,6 +51,9 @@ OptimizationSummary SummaryOf(const Solver& solver);
 
 /// Adds scores, energy and effort as field data.
 void AddSummary(const OptimizationSummary& summary, vtkFieldData* output);
+
+/// Adds what has become of targets of structures.
+void AddTargets(const TargetsFound& found, vtkFieldData* output);
 
 /// Adds what the extinction alone achieved before the camera was moved, and what was proved about
 /// the new view, as far as these are known.

@@ -45,16 +45,19 @@ std::string StructuresWithoutMatter(
   return names;
 }
 
-void FillStructures(
-  const Structures& structures, const std::vector<StructureShares>& shares, vtkTable* table)
+void FillStructures(const Structures& given, const TargetsFound& found, vtkTable* table)
 {
-  const std::size_t count = structures.Count();
-  const auto of = [&structures](std::size_t row) -> const Structure&
-  { return structures.At(static_cast<StructureRow>(row)); };
+  const std::vector<StructureShares>& shares = found.shares;
+  const std::size_t count = given.Count();
+  const auto of = [&given](std::size_t row) -> const Structure&
+  { return given.At(static_cast<StructureRow>(row)); };
   const auto addShares = [&](const std::string& name, const auto& shareOf)
   {
-    AddColumn<vtkDoubleArray>(
-      name, shares.size(), [&](std::size_t row) { return shareOf(shares[row - 1]); }, table);
+    if (!shares.empty())
+    {
+      AddColumn<vtkDoubleArray>(
+        name, count, [&](std::size_t row) { return shareOf(shares[row - 1]); }, table);
+    }
   };
   AddColumn<vtkIdTypeArray>(
     "Label", count, [&](std::size_t row) { return static_cast<vtkIdType>(of(row).label); }, table);
@@ -64,18 +67,19 @@ void FillStructures(
     "Importance", count, [&](std::size_t row) { return of(row).importance; }, table);
   AddColumn<vtkDoubleArray>(
     "Target", count, [&](std::size_t row) { return of(row).target.value_or(-1); }, table);
-  if (shares.empty())
-  {
-    return;
-  }
   addShares("Visible", [](const StructureShares& here) { return here.visible; });
   addShares("BaseVisible", [](const StructureShares& here) { return here.baseVisible; });
   addShares("Removed", [](const StructureShares& here) { return here.removed; });
   addShares("Attainable", [](const StructureShares& here) { return here.attainable; });
-  for (std::size_t by = 0; by < shares.front().hiddenBy.size(); ++by)
+  const std::size_t hiders = shares.empty() ? 0 : shares.front().hiddenBy.size();
+  for (std::size_t by = 0; by < hiders; ++by)
   {
     addShares(by == 0 ? "HiddenByOther" : "HiddenBy" + of(by).NameOrLabel(),
       [by](const StructureShares& here) { return here.hiddenBy[by]; });
   }
+  AddColumn<vtkDoubleArray>(
+    "Weight", count,
+    [&](std::size_t row) { return found.structures.ImportanceOf(static_cast<StructureRow>(row)); },
+    table);
 }
 }

@@ -4,7 +4,7 @@
 #ifndef limpid_StructureTable_h
 #define limpid_StructureTable_h
 
-#include "energy/StructureLedger.h"
+#include "viewpoint/MeetTargets.h"
 
 #include <string>
 #include <vector>
@@ -17,10 +17,9 @@ namespace limpid
 std::string StructuresWithoutMatter(
   const Structures& structures, const std::vector<StructureShares>& shares);
 
-/// Fills a table with one row per structure, see vtkExtinctionOptimizer. `shares`: in the order of
-/// the structures; empty: not known.
-void FillStructures(
-  const Structures& structures, const std::vector<StructureShares>& shares, vtkTable* table);
+/// Fills a table with one row per structure, see vtkExtinctionOptimizer. `given`: the structures
+/// with the importances given; columns of shares are left out if they are not known.
+void FillStructures(const Structures& given, const TargetsFound& found, vtkTable* table);
 }
 
 #endif

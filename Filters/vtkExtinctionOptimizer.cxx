@@ -30,14 +30,15 @@
 #include "distributed/Communicator.h"
 #include "math/Require.h"
 #include "optimize/DistributedBackend.h"
-#include "optimize/Solver.h"
 #include "scene/Placement.h"
 #include "scene/ViewSet.h"
 #include "viewpoint/Concurrent.h"
+#include "viewpoint/MeetTargets.h"
 
 #include <algorithm>
 #include <array>
 #include <exception>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -96,8 +97,11 @@ struct vtkExtinctionOptimizer::Internals
     const limpid::Light& light) const;
   void StartFromLastResult(const limpid::SceneFields& scene, limpid::Solver& solver) const;
   bool AnyRank(bool here) const { return this->Ranks->AnyOf(here); }
-  void WriteStructures(
-    const limpid::ImageScene& scene, const limpid::Solver* solver, vtkTable* table) const;
+  limpid::Progress MakeProgress() const;
+  std::optional<limpid::TargetsFound> MeetTargets(
+    const limpid::ImageScene& scene, std::unique_ptr<limpid::Solver>& solver) const;
+  void WriteStructures(const limpid::ImageScene& scene, const limpid::TargetsFound& found,
+    vtkImageData* output, vtkTable* table) const;
   void WriteUnsolved(const limpid::ImageScene& scene, vtkImageData* output) const;
   void ReportReplaced(
     const limpid::ImageScene& scene, vtkImageData* input, vtkImageData* output) const;
@@ -223,7 +227,10 @@ void vtkExtinctionOptimizer::Optimize(vtkInformationVector** inputVector, vtkIma
   if (!scene.grid.HasVolume())
   {
     state.WriteUnsolved(scene, output);
-    state.WriteStructures(scene, nullptr, structures);
+    if (scene.structures)
+    {
+      state.WriteStructures(scene, { *scene.structures, {}, {}, {} }, output, structures);
+    }
     const limpid::OptimizationSummary none;
     limpid::AddSummary(none, output->GetFieldData());
     limpid::FillConvergence(none, convergence);
@@ -240,7 +247,8 @@ void vtkExtinctionOptimizer::Optimize(vtkInformationVector** inputVector, vtkIma
   const bool isOther = state.AnyRank(input->GetMTime() != state.LastTime);
   state.LastChange.likeness = isOther ? limpid::likenessInTime : 1;
   state.LastTime = input->GetMTime();
-  const limpid::ConcurrentResult result = state.Optimize(scene.Fields(), camera, light);
+  limpid::ConcurrentResult result = state.Optimize(scene.Fields(), camera, light);
+  const std::optional<limpid::TargetsFound> targets = state.MeetTargets(scene, result.solver);
   this->SetProgressText(nullptr);
   limpid::AddFields(*result.solver, scene.arrays, scene.unitDistance, output);
   const limpid::OptimizationSummary summary = limpid::SummaryOf(*result.solver);
@@ -252,7 +260,10 @@ void vtkExtinctionOptimizer::Optimize(vtkInformationVector** inputVector, vtkIma
   }
   state.ReportReplaced(scene, input, output);
   limpid::FillConvergence(summary, convergence);
-  state.WriteStructures(scene, result.solver.get(), structures);
+  if (targets)
+  {
+    state.WriteStructures(scene, *targets, output, structures);
+  }
   state.LastNodes = scene.grid.nodes;
   state.LastPiece = scene.Fields().piece;
   state.LastExtinction = this->WarmStart
@@ -262,26 +273,29 @@ void vtkExtinctionOptimizer::Optimize(vtkInformationVector** inputVector, vtkIma
   state.LastChange = coherent ? result.solver->Change() : limpid::CarriedChange();
 }
 
-// Writes what is seen of each structure; `solver`: null if nothing can be hidden.
-void vtkExtinctionOptimizer::Internals::WriteStructures(
-  const limpid::ImageScene& scene, const limpid::Solver* solver, vtkTable* table) const
+// Optimises with other importances of structures until their targets are met. Returns what is seen
+// of each structure; none if there are no structures.
+std::optional<limpid::TargetsFound> vtkExtinctionOptimizer::Internals::MeetTargets(
+  const limpid::ImageScene& scene, std::unique_ptr<limpid::Solver>& solver) const
 {
   if (!scene.structures)
   {
-    return;
+    return {};
   }
-  if (!this->Ranks->IsAlone())
+  const limpid::LabelledScene labelled{ scene.Fields(), scene.arrays.importance->GetPointer(0),
+    *scene.structures, scene.arrays.structureRows->GetPointer(0) };
+  return limpid::MeetTargets(labelled, this->LastChange, this->MakeProgress(), solver);
+}
+
+// Writes what is seen of each structure, and what has become of targets.
+void vtkExtinctionOptimizer::Internals::WriteStructures(const limpid::ImageScene& scene,
+  const limpid::TargetsFound& found, vtkImageData* output, vtkTable* table) const
+{
+  if (!found.warning.empty())
   {
-    vtkWarningWithObjectMacro(this->Self,
-      << "Several processes share the image (what is seen of each structure is not computed in "
-         "distributed runs): the table Structures has no shares. Run one process for them.");
+    vtkWarningWithObjectMacro(this->Self, << found.warning);
   }
-  std::vector<limpid::StructureShares> shares;
-  if (solver && this->Ranks->IsAlone())
-  {
-    shares = solver->SharesOf(*scene.structures, scene.arrays.structureRows->GetPointer(0));
-  }
-  const std::string missing = limpid::StructuresWithoutMatter(*scene.structures, shares);
+  const std::string missing = limpid::StructuresWithoutMatter(*scene.structures, found.shares);
   if (!missing.empty())
   {
     vtkWarningWithObjectMacro(this->Self,
@@ -289,7 +303,11 @@ void vtkExtinctionOptimizer::Internals::WriteStructures(
       << " (no point has the label, or the points have no extinction; their shares are 0). Check "
          "the labels, the structure array and the opacity function.");
   }
-  limpid::FillStructures(*scene.structures, shares, table);
+  limpid::FillStructures(*scene.structures, found, table);
+  if (!found.text.empty())
+  {
+    limpid::AddTargets(found, output->GetFieldData());
+  }
 }
 
 // Returns whether the light has its own extinction.
@@ -346,11 +364,9 @@ limpid::Light vtkExtinctionOptimizer::Internals::MakeLight(const limpid::Camera&
   return light;
 }
 
-// Optimises the extinction and, with OptimizeViewpoint, the camera.
-limpid::ConcurrentResult vtkExtinctionOptimizer::Internals::Optimize(
-  const limpid::SceneFields& scene, const limpid::Camera& camera, const limpid::Light& light) const
+limpid::Progress vtkExtinctionOptimizer::Internals::MakeProgress() const
 {
-  const limpid::Progress progress = [this](double share, const std::string& text)
+  return [this](double share, const std::string& text)
   {
     this->Self->SetProgressText(text.c_str());
     this->Self->UpdateProgress(share);
@@ -360,6 +376,13 @@ limpid::ConcurrentResult vtkExtinctionOptimizer::Internals::Optimize(
     }
     return true;
   };
+}
+
+// Optimises the extinction and, with OptimizeViewpoint, the camera.
+limpid::ConcurrentResult vtkExtinctionOptimizer::Internals::Optimize(
+  const limpid::SceneFields& scene, const limpid::Camera& camera, const limpid::Light& light) const
+{
+  const limpid::Progress progress = this->MakeProgress();
   const std::vector<limpid::Camera> cameras = limpid::CamerasOf(
     limpid::ViewSetOf(this->Self->Settings), camera, limpid::OrbitStart::AtCamera);
   limpid::Settings settings = limpid::ForCameras(limpid::SettingsOf(this->Self->Settings), cameras);

@@ -42,18 +42,25 @@
  *     extinction alone achieved, if they had to be computed,
  *   "HighestAttainableFraction": with OptimizeViewpoint and the guide ATTAINABLE, the highest of
  *     all evaluated views,
- *   "Proof": likewise, a sentence that says what was proved about the view.
+ *   "Proof": likewise, a sentence that says what was proved about the view,
+ *   "Targets": what is visible of structures with a target share; it is there if any has one.
  *
  * Output port 1: vtkTable, one row per iteration.
  *
  * Output port 2: vtkTable, one row per structure if input array 3 has labels: "Label", "Name",
- * "Importance", "Target" (-1: none), and shares of what the data have of the structure, in [0, 1]:
+ * "Importance" as given, "Target" (-1: none), and shares of what the data have of the structure, in
+ * [0, 1]:
  *   "Visible", "BaseVisible": its light reaches the camera, through the result and the base
  *     extinction,
  *   "Removed": it was removed,
  *   "Attainable": the bound that Visible cannot exceed from this camera, whatever is cleared,
- *   "HiddenByOther", "HiddenBy<Name>": it is hidden by each structure; only for up to 256.
- * Visible, Removed and all HiddenBy add up to 1. In distributed runs there are no shares.
+ *   "HiddenByOther", "HiddenBy<Name>": it is hidden by each structure; only for up to 256;
+ * and "Weight", the importance that was used.
+ * Visible, Removed and all HiddenBy add up to 1.
+ *
+ * If structures have targets, the optimisation is repeated with other importances until as much of
+ * them is visible, or no further run helps, at most 20 times (limpid::TargetSearch). A target above
+ * Attainable cannot be met by any opacity: a warning says so, and from where more could be seen.
  *
  * After an error the outputs are empty. After an abort, output 0 is the unchanged input. An image
  * without volume (a slice, a row, a point) keeps its base extinction, with a warning.

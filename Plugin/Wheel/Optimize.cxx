@@ -8,6 +8,7 @@
 #include "optimize/Solver.h"
 #include "scene/ViewSet.h"
 #include "viewpoint/Concurrent.h"
+#include "viewpoint/MeetTargets.h"
 
 #include <nanobind/stl/array.h>
 #include <nanobind/stl/optional.h>
@@ -40,6 +41,7 @@ struct Run
   }
 
   SceneFields scene;
+  std::vector<float> changing; ///< importance of the scene where targets change it
   Camera camera;
   Light light;
   Settings settings;
@@ -68,6 +70,18 @@ struct Run
     result.solver->Run(this->progress);
     return result;
   }
+
+  /// Solves the scene, again if structures have targets.
+  TargetsFound SolveFor(
+    const Structures& structures, const StructureRow* rows, ConcurrentResult& found)
+  {
+    this->changing.assign(
+      this->scene.importance, this->scene.importance + this->scene.ValueCount());
+    this->scene.importance = this->changing.data();
+    found = this->Solve();
+    return MeetTargets({ this->scene, this->changing.data(), structures, rows },
+      this->previous ? *this->previous : CarriedChange(), this->progress, found.solver);
+  }
 };
 
 // Returns one row per iteration, in the order of CONVERGENCE in optimization.py.
@@ -85,27 +99,29 @@ nb::list RowsOf(const std::vector<IterationRecord>& history)
   return rows;
 }
 
-using StructureTuple = std::tuple<std::int64_t, std::string, double>; ///< label, name, importance
+/// Label, name, importance and target.
+using StructureTuple = std::tuple<std::int64_t, std::string, double, std::optional<double>>;
 using Rows = nb::ndarray<const StructureRow, nb::ndim<1>, nb::c_contig, nb::device::cpu>;
 
 Structures StructuresOf(const std::vector<StructureTuple>& given)
 {
   std::vector<Structure> all;
-  for (const auto& [label, name, importance] : given)
+  for (const auto& [label, name, importance, target] : given)
   {
-    all.push_back({ label, name, importance, {} });
+    all.push_back({ label, name, importance, target });
   }
   return Structures(std::move(all));
 }
 
 // Returns one row per structure, in the order of StructureShares in structures.py.
-nb::list RowsOf(const std::vector<StructureShares>& all)
+nb::list RowsOf(const TargetsFound& found)
 {
   nb::list rows;
-  for (const StructureShares& shares : all)
+  for (const StructureShares& shares : found.shares)
   {
-    rows.append(nb::make_tuple(
-      shares.visible, shares.baseVisible, shares.removed, shares.attainable, shares.hiddenBy));
+    const auto row = static_cast<StructureRow>(rows.size() + 1);
+    rows.append(nb::make_tuple(found.structures.ImportanceOf(row), shares.visible,
+      shares.baseVisible, shares.removed, shares.attainable, shares.hiddenBy));
   }
   return rows;
 }
@@ -154,23 +170,28 @@ nb::dict Optimize(const Grid& grid, const Field& extinction, const Field& import
   run.previous = previous;
   run.progress = ToProgress(progress);
   ConcurrentResult found;
-  std::vector<StructureShares> shares;
+  std::optional<TargetsFound> seen; // of structures; none: there are none
   ComputeBesidePython(
     [&]
     {
-      found = run.Solve();
-      found.solver->BestScore(); // it may take a sweep
-      found.solver->FindCeiling();
       if (structures && rows)
       {
-        shares = found.solver->SharesOf(StructuresOf(*structures), rows->data());
+        seen = run.SolveFor(StructuresOf(*structures), rows->data(), found);
       }
+      else
+      {
+        found = run.Solve();
+      }
+      found.solver->BestScore(); // it may take a sweep
+      found.solver->FindCeiling();
     });
 
   nb::dict results = ResultsOf(*found.solver, found.camera);
-  if (structures)
+  if (seen)
   {
-    results["structures"] = RowsOf(shares);
+    results["structures"] = RowsOf(*seen);
+    results["targets"] = seen->text;
+    results["target_warning"] = seen->warning;
   }
   std::vector<float> forCamera;
   std::vector<float> forLight; // empty: the light has none of its own

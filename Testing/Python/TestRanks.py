@@ -231,13 +231,15 @@ class TestRanks(unittest.TestCase):
             optimizer.SetInputArrayToProcess(
                 3, 0, 0, vtkDataObject.FIELD_ASSOCIATION_POINTS, "Labels")
             optimizer.AddStructure(1, "some", 0.25)
-            optimizer.AddStructure(3, "others", 1.0)
+            optimizer.AddStructure(3, "others", 1.0, 0.2)
 
-        _, optimizer = self.same_in_slabs(image, choose)
-        names = [optimizer.GetStructureTable().GetColumnByName("Name").GetValue(row)
-                 for row in range(2)]
-        self.assertEqual(names, ["some", "others"])
-        self.assertIsNone(optimizer.GetStructureTable().GetColumnByName("Visible"))
+        whole, optimizer = self.same_in_slabs(image, choose)
+        tables = [one.GetStructureTable() for one in (whole, optimizer)]
+        self.assertIsNotNone(tables[0].GetColumnByName("HiddenByOther"))
+        for i in range(tables[0].GetNumberOfColumns()):
+            columns = [table.GetColumn(i) for table in tables]
+            self.assertEqual(*([column.GetVariantValue(row).ToString() for row in range(2)]
+                               for column in columns), tables[0].GetColumnName(i))
 
     def test_importance_of_cells(self):
         image = whole_phantom()

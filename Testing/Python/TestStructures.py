@@ -259,7 +259,7 @@ class TestShares(StructuresTest):
         self.assertEqual(vtk_to_numpy(columns["Target"]).tolist(), [-1, -1, -1])
         self.assertEqual(list(columns), [
             "Label", "Name", "Importance", "Target", "Visible", "BaseVisible", "Removed",
-            "Attainable", "HiddenByOther", *(f"HiddenBy{name}" for name in names)])
+            "Attainable", "HiddenByOther", *(f"HiddenBy{name}" for name in names), "Weight"])
 
     def test_add_up(self):
         output, columns = self.run_filter()
@@ -290,6 +290,66 @@ class TestShares(StructuresTest):
         self.assertEqual(columns["Target"].GetTuple1(1), 0.5)
         self.assertEqual(len(self.warnings), 1)
         self.assertIn("there is nothing to see in the image: nowhere (", self.warnings[0])
+
+    def test_without_targets_weigh_what_they_are_given(self):
+        output, columns = self.run_filter()
+
+        np.testing.assert_array_equal(vtk_to_numpy(columns["Weight"]), [0.25, 0.5, 1])
+        self.assertIsNone(output.GetFieldData().GetAbstractArray("Targets"))
+
+    def test_reach_their_targets(self):
+        settings = {"ProtectImportance": 0}
+        _, before = self.run_filter(**settings)
+        wanted = 0.5 * (before["Visible"].GetTuple1(0) + before["Attainable"].GetTuple1(0))
+        output, columns = self.run_filter((3, "rim", 0.25, wanted), *self.GIVEN[1:], **settings)
+
+        self.assertGreaterEqual(columns["Visible"].GetTuple1(0), wanted - 0.001)
+        np.testing.assert_array_equal(vtk_to_numpy(columns["Importance"]), [0.25, 0.5, 1])
+        weights = vtk_to_numpy(columns["Weight"])
+        self.assertGreater(weights[0] / weights[2], 0.25)
+        self.assertEqual(self.warnings, [])
+        text = output.GetFieldData().GetAbstractArray("Targets").GetValue(0)
+        self.assertRegex(text, r"^rim \d+\.\d % \(>= \d+\.\d %\)$")
+        self.assertEqual(values(output, "Importance").max(), np.float32(weights.max()))
+
+    def test_lose_their_protection_where_targets_ask_for_it(self):
+        _, before = self.run_filter()
+        wanted = before["Visible"].GetTuple1(0) + 0.005
+        _, columns = self.run_filter((3, "rim", 0.25, wanted), *self.GIVEN[1:])
+
+        self.assertGreaterEqual(columns["Visible"].GetTuple1(0), wanted - 0.001)
+        self.assertEqual(len(self.warnings), 1)
+        self.assertIn("ProtectImportance is not used", self.warnings[0])
+
+    def test_above_a_ceiling_are_refused_with_it_and_a_better_view(self):
+        _, columns = self.run_filter((3, "rim", 0.25, 1.0), *self.GIVEN[1:])
+
+        most = columns["Attainable"].GetTuple1(0)
+        self.assertEqual(len(self.warnings), 1)
+        self.assertIn(f'The target of "rim" is 100.0 %, and at most {100 * most:.1f} %',
+                      self.warnings[0])
+        np.testing.assert_array_equal(vtk_to_numpy(columns["Weight"]), [0.25, 0.5, 1])
+
+    def test_are_aimed_at_until_an_abort(self):
+        image = phantom(20)
+        add(image.GetPointData(), "Labels", (values(image, "Importance") > 0.3).astype(np.uint8))
+        result = optimizer(image, (1, "a", 0.05))
+        result.Update()
+        most = result.GetStructureTable().GetColumnByName("Attainable").GetTuple1(0)
+        result.RemoveAllStructures()
+        result.AddStructure(1, "a", 0.05, 0.999 * most)
+        texts = []
+
+        def progress(caller, _):
+            texts.append(caller.GetProgressText())
+            if texts[-1] and "target" in texts[-1]:
+                caller.SetAbortExecute(1)
+
+        result.AddObserver("ProgressEvent", progress)
+        result.Update()
+
+        self.assertTrue(any(text and "target" in text for text in texts))
+        self.assertIsNone(result.GetOutput().GetPointData().GetArray("Extinction"))
 
     def test_without_labels_are_no_rows(self):
         result = filter_on(phantom(20), vtkExtinctionOptimizer)

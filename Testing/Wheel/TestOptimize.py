@@ -289,6 +289,45 @@ class TestStructures(unittest.TestCase):
             self.assertTrue(ends[0] <= result.visible_fraction <= ends[1])
         self.assertIsNone(optimize().structures)
 
+    def test_meet_their_targets(self):
+        mu, _ = phantom.fields()
+        labels = self.labels(np.int32)
+        given = {"extinction": mu, "structures": labels, "importance": {1034: 1, 3: 0.05},
+                 "protect_importance": 0, **VIEW}
+        before = limpid.optimize(**given)
+        wanted = 0.5 * (before.structures[3].visible + before.structures[3].attainable)
+        result = limpid.optimize(targets={3: wanted}, **given)
+        shares = result.structures[3]
+
+        self.assertGreaterEqual(shares.visible, wanted - 0.001)
+        self.assertEqual((shares.importance, shares.target), (0.05, wanted))
+        self.assertGreater(shares.weight, 0.05)
+        self.assertRegex(result.targets, r"^3 .* % \(>= .* %\)$")
+
+    def test_with_targets_alone_are_important(self):
+        mu, _ = phantom.fields()
+        labels = self.labels(np.int32)
+        result = limpid.optimize(extinction=mu, structures=labels, targets={3: 0}, **VIEW)
+        expected = limpid.optimize(extinction=mu, structures=labels, importance={3: 1}, **VIEW)
+
+        np.testing.assert_array_equal(result.extinction, expected.extinction)
+
+    def test_whose_targets_cannot_be_met_are_named(self):
+        mu, _ = phantom.fields()
+        with self.assertWarnsRegex(UserWarning, 'The target of "3" is 100.0 %, and at most'):
+            limpid.optimize(extinction=mu, structures=self.labels(np.int32), targets={3: 1}, **VIEW)
+
+    def test_have_targets_that_are_shares(self):
+        mu, _ = phantom.fields()
+        labels = self.labels(np.int32)
+        for targets, words in (({3: 2}, "The target of the structure 3 is 2"),
+                               ({"liver": 1}, "A label of targets is 'liver'"),
+                               (0.5, "targets are of the type float")):
+            with self.subTest(words), self.assertRaisesRegex(ValueError, words):
+                limpid.optimize(extinction=mu, structures=labels, targets=targets, **VIEW)
+        with self.assertRaisesRegex(ValueError, "structures are not"):
+            optimize(targets={3: 0.5})
+
     def test_are_searched_too(self):
         mu, _ = phantom.fields()
         labels = self.labels(np.int32)

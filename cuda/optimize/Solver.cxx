@@ -193,8 +193,13 @@ std::vector<StructureShares> Solver::SharesOf(
   const Structures& structures, const StructureRow* rows) const
 {
   const Internals& state = *this->State;
-  return SharesOfStructures(*state.prepared, state.camera, state.light, state.settings, structures,
-    rows, this->Extinction().data());
+  const float* extinction = this->Extinction().data();
+  return state.prepared->Together(
+    [&]
+    {
+      return SharesOfStructures(
+        *state.prepared, state.camera, state.light, state.settings, structures, rows, extinction);
+    });
 }
 
 Energy Solver::BestEnergy() const
@@ -210,6 +215,21 @@ int Solver::Iterations() const
 double Solver::Seconds() const
 {
   return this->State->seconds;
+}
+
+const Camera& Solver::MainCamera() const
+{
+  return this->State->camera;
+}
+
+const Light& Solver::OnlyLight() const
+{
+  return this->State->light;
+}
+
+const Settings& Solver::Options() const
+{
+  return this->State->settings;
 }
 
 std::string Solver::BackendName() const

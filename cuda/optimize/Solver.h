@@ -91,7 +91,7 @@ public:
   Ceiling FindCeiling() const;
 
   /// Returns what the cameras see of each structure through Extinction(), see SharesOfStructures.
-  /// `rows`: row of the structure of each node. Not in distributed runs.
+  /// `rows`: row of the structure of each node.
   std::vector<StructureShares> SharesOf(
     const Structures& structures, const StructureRow* rows) const;
 
@@ -99,6 +99,11 @@ public:
   int Iterations() const;
   double Seconds() const;
   const std::vector<IterationRecord>& History() const; ///< all iterations, starting with the base
+
+  // What it was made for.
+  const Camera& MainCamera() const;
+  const Light& OnlyLight() const;
+  const Settings& Options() const;
 
   /// Describes the backend for the user: "CPU, 2 threads".
   std::string BackendName() const;

@@ -8,12 +8,12 @@ import dataclasses
 import numpy as np
 
 from . import _core
-from .arguments import choice
+from .arguments import choice, warn
 from .previous import Memory, Previous
 from .progress import report_to
 from .scene import scene_of
 from .settings import Settings
-from .structures import StructureShares, settings_for
+from .structures import StructureShares, settings_for, targets_by_label
 from .views import Camera, camera_of, light_of
 
 #: A row of Optimization.convergence, in the order of RowsOf in Optimize.cxx.
@@ -50,6 +50,7 @@ class Optimization:
     convergence: np.ndarray  #: one row per iteration, of type CONVERGENCE, the first is the base's
     memory: Memory  #: what the next run needs of it as `previous`
     structures: dict = None  #: StructureShares by label; None: none are given
+    targets: str = ""  #: what is visible of structures with targets, in words
 
     def opacity(self, unit_distance=None):
         """Opacity of the extinction on one unit distance, 1 - exp(-extinction * distance), for
@@ -89,8 +90,9 @@ def require_one_camera(settings, before):
 def optimize(volume=None, *, scalars=None, importance=None, importance_function=None,
              extinction=None, extinction_function=None, opacity_function=None, unit_distance=None,
              spacing=None, origin=None, direction=None, camera=None, light=None,
-             importance_component=None, structures=None, optimize_viewpoint=False,
-             viewpoint_guide="attainable", reference=None, previous=(), progress=None, **settings):
+             importance_component=None, structures=None, targets=None,
+             optimize_viewpoint=False, viewpoint_guide="attainable", reference=None, previous=(),
+             progress=None, **settings):
     """Finds the extinction that minimises Eq. (21) for one camera and one light.
 
     Arrays have one number per point, shape (X, Y, Z), indexed [x, y, z]; those of images may be
@@ -113,6 +115,10 @@ def optimize(volume=None, *, scalars=None, importance=None, importance_function=
     structures: labels of a segmentation, whole numbers: an array, or the name of one of the
         image's. Then `importance` is {label: importance}; other labels have none. None: all labels
         but 0 are important, with a warning. Labels are never interpolated, their importance is.
+    targets: {label: share of the structure that should be visible, 0 to 1}. The optimisation is
+        repeated with other importances until it is, or no further run helps, at most 20 times; a
+        warning says which targets are not met, and why. Without `importance`, structures with
+        targets are the important ones.
     extinction: an array of the base extinction, or a name [1/length].
     extinction_function: nodes [scalar, extinction], in place of `extinction` [1/length].
     opacity_function: nodes [scalar, opacity on one unit distance], in place of both. None of the
@@ -151,7 +157,8 @@ def optimize(volume=None, *, scalars=None, importance=None, importance_function=
         require_one_camera(settings, before)
     scene = scene_of(volume, scalars, importance, importance_function, extinction,
                      extinction_function, opacity_function, unit_distance, spacing, origin,
-                     direction, importance_component, structures, before.layout())
+                     direction, importance_component, structures, before.layout(),
+                     targets_by_label(targets, structures))
     before.require_box(scene.grid)
     scene.warn_of_nothing_to_see("there is nothing to clear the view for: the extinction stays as "
                                  "it is")
@@ -169,6 +176,9 @@ def optimize(volume=None, *, scalars=None, importance=None, importance_function=
                                view_up=found.pop("camera_view_up"))
     of_light = found.pop("light_extinction", None)
     shares = found.pop("structures", None)
+    target_warning = found.pop("target_warning", None)
+    if target_warning:
+        warn(target_warning)
     return Optimization(extinction=scene.as_given(found.pop("extinction")),
                         light_extinction=None if of_light is None else scene.as_given(of_light),
                         dimensions=scene.grid.shape, camera=view, unit_distance=scene.unit_distance,

@@ -146,7 +146,7 @@ def assumed_importance(scalars, mask):
 
 def scene_of(volume, scalars=None, importance=None, importance_function=None, extinction=None,
              extinction_function=None, opacity_function=None, unit_distance=None, spacing=None,
-             origin=None, direction=None, importance_component=None, structures=None, layout=None):
+             origin=None, direction=None, importance_component=None, structures=None, layout=None, targets=None):
     """A Scene from the arguments that optimize documents. Raises ValueError.
 
     layout: that the fields are wanted in; None: the one that takes fewest copies.
@@ -190,7 +190,7 @@ def scene_of(volume, scalars=None, importance=None, importance_function=None, ex
         mu = mapped(mu, function or ramp_of(mu, source.mask, distance), layout)
     segmentation = None
     if structures is not None:
-        segmentation = Segmentation.of(g, shares, layout)
+        segmentation = Segmentation.of(g, shares, targets or {}, layout)
         g = segmentation.importance(layout)
     elif importance_function is None:
         g = converted(g, layout)
