@@ -76,14 +76,6 @@ bool AreWithin(vtkFloatArray* array, float largest)
   return outside == 0;
 }
 
-// Sets the importance of each point to that of its structure.
-void SetImportance(const Structures& structures, vtkUnsignedShortArray* rows, vtkFloatArray* field)
-{
-  const StructureRow* begin = rows->GetPointer(0);
-  std::transform(begin, begin + rows->GetNumberOfTuples(), field->GetPointer(0),
-    [&structures](StructureRow row) { return static_cast<float>(structures.ImportanceOf(row)); });
-}
-
 // Makes points without a share empty.
 void EmptyPoints(const std::vector<float>& shares, vtkFloatArray* field)
 {
@@ -198,11 +190,7 @@ vtkSmartPointer<vtkFloatArray> ConvertField(
   auto field = NewArray<vtkFloatArray>(name, image->GetNumberOfPoints());
   RequireOneEach(image, source);
 
-  if (source.structures)
-  {
-    SetImportance(*source.structures, RowsAtPoints(image, source), field);
-  }
-  else if (source.onCells)
+  if (source.onCells)
   {
     const vtkSmartPointer<vtkFloatArray> averaged = AverageToPoints(image, source);
     MapArray(averaged, MagnitudeComponent, source.mapping, field->GetPointer(0));
@@ -221,21 +209,28 @@ void TakeShares(const std::vector<float>& shares, vtkFloatArray* field)
     [](float share, float value) { return share * value; });
 }
 
+void ConvertImportance(vtkImageData* image, const FieldSource& source, SceneArrays& arrays)
+{
+  if (!source.structures)
+  {
+    arrays.importance = ConvertField(image, source, "Importance");
+    return;
+  }
+  RequireOneEach(image, source);
+  arrays.structureRows = RowsAtPoints(image, source);
+  arrays.importance = NewArray<vtkFloatArray>("Importance", image->GetNumberOfPoints());
+  const StructureRow* rows = arrays.structureRows->GetPointer(0);
+  std::transform(rows, rows + image->GetNumberOfPoints(), arrays.importance->GetPointer(0),
+    [&source](StructureRow row)
+    { return static_cast<float>(source.structures->ImportanceOf(row)); });
+}
+
 SceneArrays ConvertScene(
   vtkImageData* image, const FieldSource& extinction, const FieldSource& importance)
 {
   SceneArrays arrays;
   arrays.baseExtinction = ConvertField(image, extinction, "BaseExtinction");
-  if (importance.structures)
-  {
-    arrays.structureRows = RowsAtPoints(image, importance);
-    arrays.importance = NewArray<vtkFloatArray>("Importance", image->GetNumberOfPoints());
-    SetImportance(*importance.structures, arrays.structureRows, arrays.importance);
-  }
-  else
-  {
-    arrays.importance = ConvertField(image, importance, "Importance");
-  }
+  ConvertImportance(image, importance, arrays);
   const Blanking blanking(image);
   const std::vector<float> ofExtinction = blanking.Shares(extinction.onCells);
   const std::vector<float> ofImportance = blanking.Shares(importance.onCells);

@@ -81,10 +81,14 @@ VTKLIMPIDFILTERS_EXPORT void SetReferences(const References& references, SceneFi
 /// Throws Error unless an array has one value for each point or cell of the image.
 void RequireOneEach(vtkImageData* image, const FieldSource& source);
 
-/// Returns a field at the points of the image; NaN where it has no finite value. Of labels, that is
-/// the importance of their structures.
+/// Returns a field at the points of the image; NaN where it has no finite value.
 VTKLIMPIDFILTERS_EXPORT vtkSmartPointer<vtkFloatArray> ConvertField(
   vtkImageData* image, const FieldSource& source, const char* name);
+
+/// Sets the importance at the points of the image. Of labels, that is the importance of their
+/// structures, whose rows are set, too.
+VTKLIMPIDFILTERS_EXPORT void ConvertImportance(
+  vtkImageData* image, const FieldSource& source, SceneArrays& arrays);
 
 /// Multiplies a field by shares, see Blanking::Shares.
 VTKLIMPIDFILTERS_EXPORT void TakeShares(const std::vector<float>& shares, vtkFloatArray* field);

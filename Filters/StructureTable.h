@@ -4,6 +4,8 @@
 #ifndef limpid_StructureTable_h
 #define limpid_StructureTable_h
 
+#include "vtkLimpidFiltersModule.h" // for export macro
+
 #include "viewpoint/MeetTargets.h"
 
 #include <string>
@@ -19,7 +21,8 @@ std::string StructuresWithoutMatter(
 
 /// Fills a table with one row per structure, see vtkExtinctionOptimizer. `given`: the structures
 /// with the importances given; columns of shares are left out if they are not known.
-void FillStructures(const Structures& given, const TargetsFound& found, vtkTable* table);
+VTKLIMPIDFILTERS_EXPORT void FillStructures(
+  const Structures& given, const TargetsFound& found, vtkTable* table);
 }
 
 #endif

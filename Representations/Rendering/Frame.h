@@ -73,6 +73,7 @@ struct FrameSettings
 struct FrameResult
 {
   bool measured = false; ///< whether scores were measured in this frame; if not, they are 0
+  bool optimized = true; ///< whether the score is that of the optimised extinction
   Score score;
   Score baseScore;
   Ceiling ceiling; ///< 0 if unknown: during interaction and before convergence

@@ -35,6 +35,7 @@ void ViewOptimization::TakeScene(const FrameSettings& frame, const VolumeData& d
   this->Optimizer.reset();
   this->Most.reset();
   this->Front.reset();
+  this->OfStructures.reset();
   this->Base = nullptr;
   auto optimizer = std::make_unique<Progressive>(data.Scene(), frame.solver);
   optimizer->GoOnFrom(shown);
@@ -293,6 +294,7 @@ void ViewOptimization::Advance(const FrameSettings& frame, const VolumeData& dat
   const Scores scores =
     this->InFront(frame, camera, opaque, this->Measure(frame, camera, changed), changed);
   result.measured = true;
+  result.optimized = frame.optimize;
   result.score = frame.optimize ? scores.best : scores.base;
   result.baseScore = scores.base;
   result.iterations = this->Optimizer->Iterations();
@@ -304,6 +306,33 @@ void ViewOptimization::Advance(const FrameSettings& frame, const VolumeData& dat
   {
     result.ceiling = this->FindCeiling(frame, camera, opaque, result.score);
   }
+}
+
+bool ViewOptimization::KnowsShares(const Camera& camera, bool optimized) const
+{
+  const auto& known = this->OfStructures;
+  return known && AreSame(camera, known->camera) && optimized == known->optimized &&
+    known->version == this->Changes;
+}
+
+const std::vector<StructureShares>& ViewOptimization::SharesFrom(const Camera& camera,
+  bool optimized, const VolumeData& data, const std::function<bool()>& isAborted)
+{
+  static const std::vector<StructureShares> unknown;
+  const bool fits = this->Optimizer && this->SceneVersion == data.SceneVersion();
+  if (!fits || !data.Labelled())
+  {
+    return unknown;
+  }
+  if (!this->KnowsShares(camera, optimized))
+  {
+    const Interruptible interruptible([&isAborted]() { return !isAborted(); });
+    const float* seen =
+      optimized ? this->Optimizer->Extinction() : this->Optimizer->BaseExtinction();
+    this->OfStructures = { camera, optimized, this->Changes,
+      this->Optimizer->SharesFrom(camera, *data.Labelled(), data.StructureRows(), seen) };
+  }
+  return this->OfStructures->shares;
 }
 
 void ViewOptimization::ShowBase(const FrameSettings& frame, const VolumeData& data)
@@ -325,6 +354,7 @@ void ViewOptimization::Release()
   this->Optimizer.reset();
   this->Most.reset();
   this->Front.reset();
+  this->OfStructures.reset();
   this->Base = nullptr;
   this->ShowsBase = true;
   this->HidesFound = false;

@@ -373,6 +373,7 @@ void VolumeData::UpdateImportance(
   {
     const vtkSmartPointer<vtkFloatArray> base = this->Arrays.baseExtinction;
     this->Arrays = SceneArrays();
+    this->LabelledParts = nullptr;
     if (!this->Crop.planes.empty())
     {
       this->Arrays.baseExtinction = base;
@@ -400,16 +401,21 @@ void VolumeData::UpdateImportance(
 
 void VolumeData::TakeImportance(vtkImageData* here, const FieldSource& source)
 {
-  vtkSmartPointer<vtkFloatArray> importance = source.array
-    ? ConvertField(here, source, "Importance")
-    : NewArray<vtkFloatArray>("Importance", 0);
+  SceneArrays taken;
+  taken.importance = NewArray<vtkFloatArray>("Importance", 0);
+  if (source.array)
+  {
+    ConvertImportance(here, source, taken);
+  }
   std::vector<float> shares = Blanking(here).Shares(source.onCells);
   if (this->Shared)
   {
-    importance = this->Shared->Extended(importance, 0.0F);
+    taken.importance = this->Shared->Extended(taken.importance, 0.0F);
     shares = this->Shared->Extended(shares);
   }
-  this->Arrays.importance = importance;
+  this->Arrays.importance = taken.importance;
+  this->Arrays.structureRows = taken.structureRows;
+  this->LabelledParts = source.structures;
   this->IsOfStructures = this->AnyRank(source.structures != nullptr);
   this->CorrectImportance(shares);
 }
@@ -483,6 +489,7 @@ void VolumeData::Release()
   this->ScalarValues = nullptr;
   this->ScalarShares = {};
   this->Arrays = SceneArrays();
+  this->LabelledParts = nullptr;
   this->Given = {};
   this->ReferenceKeys.clear();
   this->Tables.extinction.clear();

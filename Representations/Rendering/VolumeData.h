@@ -15,6 +15,7 @@
 
 #include "optimize/Solver.h"
 #include "render/Renderer.h"
+#include "scene/Structures.h"
 
 #include <array>
 #include <cstdint>
@@ -75,6 +76,12 @@ public:
 
   /// Returns the importance at each point [0, 1]. Requires HasImportance().
   const float* Importance() const { return this->Arrays.importance->GetPointer(0); }
+
+  /// Returns the structures that the importance is that of; null: there are none here.
+  const Structures* Labelled() const { return this->LabelledParts.get(); }
+
+  /// Returns the row of the structure at each point. Requires Labelled().
+  const StructureRow* StructureRows() const { return this->Arrays.structureRows->GetPointer(0); }
 
   /// Returns the scene of the optimisation. Requires HasImportance().
   SceneFields Scene() const;
@@ -169,8 +176,9 @@ private:
   ArrayKey ImportanceKey;
   std::uint64_t ImportanceScalars = 0; ///< version of the scalars it was computed for
   SceneArrays Arrays;                  ///< base extinction and importance
-  bool IsOfStructures = false;         ///< whether the importance is that of structures
-  std::uint64_t BaseVersion = 0;       ///< version of the functions the base was computed with
+  bool IsOfStructures = false; ///< whether the importance is that of structures, on any rank
+  std::shared_ptr<const Structures> LabelledParts; ///< see Labelled
+  std::uint64_t BaseVersion = 0; ///< version of the functions the base was computed with
   std::uint64_t ImportanceChanges = 0;
 };
 }

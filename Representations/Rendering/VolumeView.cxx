@@ -340,6 +340,35 @@ void VolumeView::PrepareNow(
   }
 }
 
+bool VolumeView::KnowsShares() const
+{
+  return this->Geometry &&
+    this->Optimization.KnowsShares(this->Geometry->camera, this->LastResult.optimized);
+}
+
+std::vector<StructureShares> VolumeView::SharesOfStructures(const VolumeData& data)
+{
+  std::vector<StructureShares> shares;
+  if (this->Geometry && this->LastResult.measured && this->LastResult.converged)
+  {
+    this->Reports = false;
+    const auto find = [&]()
+    {
+      shares = this->Optimization.SharesFrom(this->Geometry->camera, this->LastResult.optimized,
+        data, [this]() { return this->IsAborted(0); });
+    };
+    try
+    {
+      this->WhileDrawing(find);
+    }
+    catch (const Interrupted&)
+    {
+      return {}; // they stay unknown
+    }
+  }
+  return shares;
+}
+
 void VolumeView::Reset()
 {
   if (this->IsDrawing)

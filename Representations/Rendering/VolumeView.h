@@ -70,6 +70,14 @@ public:
   /// interaction, plus shadows. Returns whether work is left. Throws like Draw.
   bool PrepareOriginal(const VolumeData& data);
 
+  /// Returns what the camera of the last frame sees of each structure of the data, in their order;
+  /// empty if unknown. Computed by the first call after a frame has changed it, which takes about
+  /// as long as ten scores. Not in distributed runs. Throws if there is no memory.
+  std::vector<StructureShares> SharesOfStructures(const VolumeData& data);
+
+  /// Returns whether SharesOfStructures would compute nothing.
+  bool KnowsShares() const;
+
   /// Draws the visible pixels of the last frame in one colour, for a selection.
   void DrawMask(const float color[3]);
 

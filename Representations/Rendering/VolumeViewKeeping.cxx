@@ -106,6 +106,7 @@ bool VolumeView::MakeOriginal(const VolumeData& data)
   const FrameSettings& frame = original.frame;
   FrameMessages messages = optimized->messages;
   FrameResult result = optimized->result;
+  result.optimized = false;
   result.score = result.baseScore;
   result.ceiling = Ceiling();
   this->UpdateRenderer(frame, data);

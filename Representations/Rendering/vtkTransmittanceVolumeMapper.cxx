@@ -161,6 +161,17 @@ double vtkTransmittanceVolumeMapper::GetAttainableLightScore() const
   return this->State->Last.ceiling.lightVisibility;
 }
 
+vtkTable* vtkTransmittanceVolumeMapper::GetStructureTable()
+{
+  this->State->FillStructures();
+  return this->State->Structures;
+}
+
+bool vtkTransmittanceVolumeMapper::GetStructuresMeasured() const
+{
+  return this->State->AreStructuresMeasured();
+}
+
 bool vtkTransmittanceVolumeMapper::GetConverged() const
 {
   return this->State->Last.converged;

@@ -72,6 +72,7 @@
 #include <string> // for names
 
 class vtkPiecewiseFunction;
+class vtkTable;
 
 class VTKLIMPIDRENDERING_EXPORT vtkTransmittanceVolumeMapper : public vtkVolumeMapper
 {
@@ -460,6 +461,21 @@ public:
   double GetAttainableScore() const;
   double GetAttainableLightScore() const;
   ///@}
+
+  /**
+   * What the camera of the last frame sees of each structure: the third output of
+   * vtkExtinctionOptimizer, see there, for this camera and, of several, only for it. It has no
+   * shares until the frame has converged; then the first call computes them, which takes about ten
+   * times as long as a score and may be aborted like a frame. Opaque geometry hides nothing of
+   * structures. With SharesImage, there are no shares in several processes. Without a structure
+   * array, the table is empty.
+   */
+  vtkTable* GetStructureTable();
+
+  /**
+   * Whether GetStructureTable has nothing to compute.
+   */
+  bool GetStructuresMeasured() const;
 
   /**
    * Tells the mapper that nothing is shown: scores and fractions are zero until the next frame. For

@@ -6,6 +6,7 @@
 #include "ControllerRanks.h"
 #include "InputArrays.h"
 #include "Memory.h"
+#include "StructureTable.h"
 
 #include "vtkBoundingBox.h"
 #include "vtkCellData.h"
@@ -35,6 +36,7 @@ limpid::VolumeView& vtkTransmittanceVolumeMapper::Internals::ViewOf(
     if (view->IsOrphaned())
     {
       this->Log.Forget(view.get());
+      this->Shown = this->Shown == view.get() ? nullptr : this->Shown;
     }
     return view->IsOrphaned();
   };
@@ -296,6 +298,37 @@ bool vtkTransmittanceVolumeMapper::Internals::PrepareOriginals()
   return isLeft;
 }
 
+// Returns whether the table of structures would be filled without computing anything.
+bool vtkTransmittanceVolumeMapper::Internals::AreStructuresMeasured() const
+{
+  const bool canMeasure = this->Shown && this->Last.measured && this->Last.converged &&
+    this->Data.Labelled() && this->Ranks->IsAlone();
+  return !canMeasure || this->Shown->KnowsShares();
+}
+
+// Fills the table of structures. The last result refers to the view that is shown.
+void vtkTransmittanceVolumeMapper::Internals::FillStructures()
+{
+  this->Structures->Initialize();
+  const limpid::Structures* structures = this->Data.Labelled();
+  if (!structures)
+  {
+    return;
+  }
+  if (!this->Ranks->IsAlone() && this->ReportsMessages())
+  {
+    vtkWarningWithObjectMacro(this->Self,
+      << "Several processes share the image (what a picture shows of each structure is not "
+         "computed in distributed runs): there are no shares. Use vtkExtinctionOptimizer.");
+  }
+  std::vector<limpid::StructureShares> shares;
+  if (this->Shown && this->Last.measured && this->Ranks->IsAlone() && this->Drawing == 0)
+  {
+    this->WhileDrawing([&]() { shares = this->Shown->SharesOfStructures(this->Data); });
+  }
+  limpid::FillStructures(*structures, { *structures, shares, {}, {} }, this->Structures);
+}
+
 bool vtkTransmittanceVolumeMapper::Internals::IsShared() const
 {
   return this->Self->SharesImage && limpid::AreSeveral();
@@ -432,6 +465,7 @@ void vtkTransmittanceVolumeMapper::Internals::Draw(
   this->ReportNeighbours(renderer, volume, inParts);
 
   limpid::FrameMessages messages;
+  this->Shown = &view;
   this->Last =
     inParts ? view.Prepare(frame, this->Data, messages) : view.Draw(frame, this->Data, messages);
   for (const std::string& text : messages.errors)

@@ -16,6 +16,8 @@
 #include "VolumeData.h"
 #include "VolumeView.h"
 
+#include "vtkNew.h"
+#include "vtkTable.h"
 #include "vtkTimeStamp.h"
 
 #include <functional>
@@ -52,6 +54,8 @@ struct vtkTransmittanceVolumeMapper::Internals
   void RenderParts(vtkRenderer* renderer, vtkVolume* volume);
   void RenderSelection(vtkRenderer* renderer, vtkVolume* volume, vtkHardwareSelector* selector);
   bool PrepareOriginals();
+  bool AreStructuresMeasured() const;
+  void FillStructures();
   void ReleaseMemory();
   void ReleaseData();
   limpid::VolumeView& ViewOf(vtkRenderer* renderer, vtkVolume* volume);
@@ -103,7 +107,9 @@ struct vtkTransmittanceVolumeMapper::Internals
   vtkTimeStamp RampTime;                       ///< when Ramp was computed
   limpid::VolumeData Data;
   std::vector<std::unique_ptr<limpid::VolumeView>> Views;
-  limpid::FrameResult Last; ///< result of the last frame, in any view
+  limpid::FrameResult Last;            ///< result of the last frame, in any view
+  limpid::VolumeView* Shown = nullptr; ///< that view; null if there is none any more
+  vtkNew<vtkTable> Structures;         ///< see GetStructureTable
   limpid::MessageLog Log;
   std::string Messages; ///< messages of the last frame
   int Drawing = 0;      ///< number of nested calls to Render

@@ -231,30 +231,38 @@ class TestThinStructures(StructuresTest):
         self.assertGreater(fraction, 10 * base)
 
 
+LAYERS = [(3, "rim", 0.25), (1034, "middle", 0.5), (65535, "core", 1.0)]
+
+
+def layered_phantom():
+    """The phantom with the labels of LAYERS."""
+    image = phantom(20)
+    labels = np.array([0, 3, 1034, 65535])[
+        np.digitize(values(image, "Importance"), [0.01, 0.3, 0.6])]
+    add(image.GetPointData(), "Labels", labels)
+    return image
+
+
+def columns_of(table):
+    return {table.GetColumnName(i): table.GetColumn(i) for i in range(table.GetNumberOfColumns())}
+
+
 class TestShares(StructuresTest):
     """What is seen of each structure."""
 
-    GIVEN = [(3, "rim", 0.25), (1034, "middle", 0.5), (65535, "core", 1.0)]
-
     def run_filter(self, *structures, **properties):
-        image = phantom(20)
-        labels = np.array([0, 3, 1034, 65535])[
-            np.digitize(values(image, "Importance"), [0.01, 0.3, 0.6])]
-        add(image.GetPointData(), "Labels", labels)
-        result = optimizer(image, *(structures or self.GIVEN), **properties)
+        result = optimizer(layered_phantom(), *(structures or LAYERS), **properties)
         result.Update()
         self.assert_no_error(result)
         self.warnings = result.messages["WarningEvent"]
-        table = result.GetStructureTable()
-        columns = {table.GetColumnName(i): table.GetColumn(i) for i in range(table.GetNumberOfColumns())}
-        return result.GetOutput(), columns
+        return result.GetOutput(), columns_of(result.GetStructureTable())
 
     def test_have_a_row_each(self):
         _, columns = self.run_filter()
-        names = [name for _, name, _ in self.GIVEN]
+        names = [name for _, name, _ in LAYERS]
 
         self.assertEqual(vtk_to_numpy(columns["Label"]).tolist(),
-                         [label for label, _, _ in self.GIVEN])
+                         [label for label, _, _ in LAYERS])
         self.assertEqual([columns["Name"].GetValue(i) for i in range(3)], names)
         self.assertEqual(vtk_to_numpy(columns["Target"]).tolist(), [-1, -1, -1])
         self.assertEqual(list(columns), [
@@ -380,6 +388,104 @@ class TestMapper(MapperTest):
         view.messages.clear()
         mapper.SetInputArrayToProcess(LABELS, 0, 0, POINTS, "Absent")
         self.assert_says(view, 'The structure array "Absent" is not among')
+
+
+class TestSharesOfMapper(MapperTest):
+    """What the camera of the last picture sees of each structure."""
+
+    SETTINGS = {"LightWeight": 0, "RestrictToView": 0}
+
+    def show(self, **properties):
+        image = layered_phantom()
+        image.GetPointData().SetActiveScalars("Scalars")
+        view, mapper = show(image, **self.SETTINGS, **properties)
+        mapper.SetExtinctionSource(mapper.ARRAY)
+        mapper.SetExtinctionArray("BaseExtinction")
+        mapper.SetInputArrayToProcess(LABELS, 0, 0, POINTS, "Labels")
+        for structure in LAYERS:
+            mapper.AddStructure(*structure)
+        return view, mapper
+
+    def filtered(self, view):
+        """The table of the filter for the camera of a view."""
+        camera = view.renderer.GetActiveCamera()
+        result = optimizer(layered_phantom(), *LAYERS, **self.SETTINGS, AutomaticPlacement=0,
+                           CameraPosition=camera.GetPosition(),
+                           CameraFocalPoint=camera.GetFocalPoint(),
+                           CameraViewUp=camera.GetViewUp(), CameraViewAngle=camera.GetViewAngle(),
+                           CameraAspectRatio=1)
+        result.Update()
+        return columns_of(result.GetStructureTable())
+
+    def assert_same(self, table, expected):
+        found = columns_of(table)
+        self.assertEqual(list(found), list(expected))
+        self.assertEqual([found["Name"].GetValue(i) for i in range(3)],
+                         [name for _, name, _ in LAYERS])
+        for name in set(found) - {"Name"}:
+            np.testing.assert_array_equal(
+                vtk_to_numpy(found[name]), vtk_to_numpy(expected[name]), name)
+
+    def test_are_those_of_the_filter(self):
+        view, mapper = self.show()
+        view.window.Render()
+
+        self.assert_same(mapper.GetStructureTable(), self.filtered(view))
+        self.assert_fine(view)
+
+    def test_are_found_once_for_a_picture(self):
+        view, mapper = self.show()
+        self.assertTrue(mapper.GetStructuresMeasured())  # there is nothing to measure yet
+        self.assertEqual(mapper.GetStructureTable().GetNumberOfRows(), 0)
+        view.window.Render()
+        self.assertFalse(mapper.GetStructuresMeasured())
+        mapper.GetStructureTable()
+        self.assertTrue(mapper.GetStructuresMeasured())
+        view.window.Render()
+        self.assertTrue(mapper.GetStructuresMeasured())
+
+        view.renderer.GetActiveCamera().Azimuth(30)
+        view.window.Render()
+        self.assertFalse(mapper.GetStructuresMeasured())
+        self.assert_same(mapper.GetStructureTable(), self.filtered(view))
+
+    def test_are_unknown_until_the_picture_has_converged(self):
+        view, mapper = self.show(ProgressiveStill=1, InteractiveFrameTime=1e-3)
+        view.window.Render()
+        self.assertFalse(mapper.GetConverged())
+        columns = columns_of(mapper.GetStructureTable())
+        self.assertEqual(list(columns), ["Label", "Name", "Importance", "Target"])
+
+        self.frames_to_the_end(view, mapper)
+        self.assert_same(mapper.GetStructureTable(), self.filtered(view))
+
+    def test_of_the_original_are_those_before(self):
+        view, mapper = self.show()
+        view.window.Render()
+        mapper.SetOptimization(mapper.OFF)
+        view.window.Render()
+        columns = columns_of(mapper.GetStructureTable())
+        expected = vtk_to_numpy(self.filtered(view)["BaseVisible"])
+
+        for name in ("Visible", "BaseVisible"):
+            np.testing.assert_array_equal(vtk_to_numpy(columns[name]), expected)
+        self.assertEqual(vtk_to_numpy(columns["Removed"]).tolist(), [0, 0, 0])
+
+    def test_stay_unknown_if_the_user_aborts(self):
+        view, mapper = self.show()
+        view.window.Render()
+        abort = view.window.AddObserver(
+            "AbortCheckEvent", lambda window, _: window.SetAbortRender(1))
+        self.assertNotIn("Visible", columns_of(mapper.GetStructureTable()))
+        view.window.RemoveObserver(abort)
+        view.window.Render()
+        self.assertIn("Visible", columns_of(mapper.GetStructureTable()))
+
+    def test_need_structures(self):
+        view, mapper = show()
+        view.window.Render()
+        self.assertTrue(mapper.GetStructuresMeasured())
+        self.assertEqual(mapper.GetStructureTable().GetNumberOfColumns(), 0)
 
 
 if __name__ == "__main__":

@@ -12,6 +12,7 @@
 #include "optimize/PreviewPass.h"
 #include "optimize/ProblemInFront.h"
 #include "optimize/SceneCeiling.h"
+#include "optimize/SceneStructures.h"
 
 #include <algorithm>
 #include <optional>
@@ -501,6 +502,20 @@ Ceiling Progressive::CeilingFrom(const Camera& camera, const OpaqueGeometry* opa
   return backend.Do([&]
     { return CeilingOfScores(*state.scene, backend, camera, state.light, settings, opaque); },
     [] {});
+}
+
+std::vector<StructureShares> Progressive::SharesFrom(const Camera& camera,
+  const Structures& structures, const StructureRow* rows, const float* extinction) const
+{
+  const Internals& state = *this->State;
+  if (state.shown == Shown::Preview)
+  {
+    return {};
+  }
+  Settings settings = state.settings;
+  settings.otherCameras.clear();
+  return SharesOfStructures(
+    *state.scene, camera, state.light, settings, structures, rows, extinction);
 }
 
 int Progressive::Iterations() const

@@ -4,11 +4,13 @@
 #ifndef limpid_optimize_Progressive_h
 #define limpid_optimize_Progressive_h
 
+#include "energy/StructureLedger.h"
 #include "optimize/CarriedChange.h"
 #include "optimize/Solver.h"
 #include "scene/OpaqueGeometry.h"
 
 #include <memory>
+#include <vector>
 
 namespace limpid
 {
@@ -108,6 +110,12 @@ public:
   /// Ceiling. Costs a sweep, and another one for the light. Valid after SetView. Zeros for a
   /// method without iterations. `opaque`: as in ScoresFrom.
   Ceiling CeilingFrom(const Camera& camera, const OpaqueGeometry* opaque = nullptr) const;
+
+  /// Returns what a camera sees of each structure, see SharesOfStructures. `rows`: row of the
+  /// structure of each node; `extinction`: BaseExtinction() or Extinction(). Empty while a preview
+  /// is shown, which has other nodes. Not in distributed runs.
+  std::vector<StructureShares> SharesFrom(const Camera& camera, const Structures& structures,
+    const StructureRow* rows, const float* extinction) const;
 
   int Iterations() const; ///< at full resolution, for the current view
   std::string BackendName() const;
