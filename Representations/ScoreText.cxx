@@ -5,7 +5,14 @@
 
 #include "vtkTransmittanceVolumeMapper.h"
 
+#include "vtkTable.h"
+#include "vtkVariant.h"
+
 #include "math/PercentText.h"
+
+#include <algorithm>
+#include <numeric>
+#include <vector>
 
 namespace limpid
 {
@@ -43,6 +50,76 @@ std::string Progress(vtkTransmittanceVolumeMapper* mapper)
   return (mapper->GetSettled() ? "converged, " : "stopped at ") + std::to_string(iterations) +
     (iterations == 1 ? " iteration" : " iterations");
 }
+
+// Returns what is visible of a structure, as a line.
+std::string StructureLine(vtkTable* structures, vtkIdType row)
+{
+  const auto number = [&](const char* column)
+  { return structures->GetValueByName(row, column).ToDouble(); };
+  const double target = number("Target");
+  std::string text = "\n" + structures->GetValueByName(row, "Name").ToString() + " " +
+    PercentText(number("Visible")) + " of at most " + PercentText(number("Attainable"));
+  if (target >= 0)
+  {
+    std::ostringstream percent;
+    percent << 100 * target;
+    text += " (target " + percent.str() + " %)";
+  }
+  return text;
+}
+
+// Returns the rows of the structures that the text names: those with a target, or else the most
+// important ones. None if that would only repeat the score.
+std::vector<vtkIdType> ToldRows(vtkTable* structures)
+{
+  constexpr std::size_t mostWithoutTarget = 3;
+  std::vector<vtkIdType> important;
+  std::vector<vtkIdType> targets;
+  const auto importance = [structures](vtkIdType row)
+  { return structures->GetValueByName(row, "Importance").ToDouble(); };
+  for (vtkIdType row = 0; row < structures->GetNumberOfRows(); ++row)
+  {
+    if (importance(row) > 0)
+    {
+      important.push_back(row);
+    }
+    if (structures->GetValueByName(row, "Target").ToDouble() >= 0)
+    {
+      targets.push_back(row);
+    }
+  }
+  if (!targets.empty() || important.size() < 2)
+  {
+    return targets;
+  }
+  std::stable_sort(important.begin(), important.end(),
+    [&](vtkIdType one, vtkIdType other) { return importance(one) > importance(other); });
+  important.resize(std::min(important.size(), mostWithoutTarget));
+  return important;
+}
+
+// Returns what is visible of the structures that matter most, a line each. Empty while unknown: a
+// client that makes steps has it measured after them.
+std::string StructureLines(vtkTransmittanceVolumeMapper* mapper)
+{
+  const bool isMeasured = mapper->GetStructuresMeasured();
+  const std::vector<vtkIdType> rows = ToldRows(mapper->GetKnownStructureTable());
+  if (rows.empty() || (!isMeasured && mapper->GetProgressiveStill()))
+  {
+    return {};
+  }
+  vtkTable* structures =
+    isMeasured ? mapper->GetKnownStructureTable() : mapper->GetStructureTable();
+  std::string text;
+  if (structures->GetColumnByName("Visible"))
+  {
+    for (const vtkIdType row : rows)
+    {
+      text += StructureLine(structures, row);
+    }
+  }
+  return text;
+}
 }
 
 std::string ScoreText(vtkTransmittanceVolumeMapper* mapper, bool isInView, const std::string& name)
@@ -73,7 +150,7 @@ std::string ScoreText(vtkTransmittanceVolumeMapper* mapper, bool isInView, const
     text += removed >= worthTelling ? PercentText(removed) + " removed, " : "";
     text += Progress(mapper);
   }
-  return text;
+  return text + StructureLines(mapper);
 }
 
 std::string MissedText(vtkTransmittanceVolumeMapper* mapper)

@@ -35,6 +35,7 @@
 
 class vtkColorTransferFunction;
 class vtkDataArray;
+class vtkDoubleArray;
 class vtkImageData;
 class vtkMultiProcessController;
 class vtkPiecewiseFunction;
@@ -203,6 +204,22 @@ public:
   int GetIterations();
   const char* GetLightDescription();
   const char* GetBackendName();
+  ///@}
+
+  /**
+   * Shares of what the data have of each structure, for the last picture: visible, visible before,
+   * removed, attainable (see the filter), one row after the other in the order of the structures;
+   * as far as known. They are measured for the text in the view, and by MeasureStructures.
+   */
+  vtkDoubleArray* GetStructureShares();
+
+  ///@{
+  /**
+   * Measures these shares if the last picture has converged. It may take as long as the picture.
+   * GetStructuresMeasured returns whether there is nothing to measure.
+   */
+  void MeasureStructures();
+  int GetStructuresMeasured();
   ///@}
 
   /**

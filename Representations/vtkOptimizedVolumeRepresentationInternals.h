@@ -11,6 +11,7 @@
 
 #include "vtkColorTransferFunction.h"
 #include "vtkDataObject.h"
+#include "vtkDoubleArray.h"
 #include "vtkNew.h"
 #include "vtkPVRenderView.h"
 #include "vtkPiecewiseFunction.h"
@@ -75,6 +76,8 @@ struct vtkOptimizedVolumeRepresentation::Internals
   bool MapsScalars = true;
   bool MapsComponents = false;
   bool Interpolates = true;
+
+  vtkNew<vtkDoubleArray> StructureShares;
 
   std::string Refusal;                  // why the input cannot be drawn; empty if it can
   std::vector<unsigned long> Observers; // tags of observers of the renderer's frames

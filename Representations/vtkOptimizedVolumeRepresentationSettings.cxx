@@ -5,6 +5,9 @@
 
 #include "vtkOptimizedVolumeRepresentationInternals.h"
 
+#include "vtkTable.h"
+#include "vtkVariant.h"
+
 // Forwards SetName(value) to a method of the mapper.
 #define LIMPID_FORWARD_AS(name, mapperName, type)                                                  \
   void vtkOptimizedVolumeRepresentation::Set##name(type value)                                     \
@@ -104,6 +107,38 @@ void vtkOptimizedVolumeRepresentation::SetSourceName(const char* name)
 int vtkOptimizedVolumeRepresentation::PrepareOriginal()
 {
   return this->State->Mapper->HasDrawn && this->State->Mapper->PrepareOriginal() ? 1 : 0;
+}
+
+vtkDoubleArray* vtkOptimizedVolumeRepresentation::GetStructureShares()
+{
+  vtkDoubleArray* shares = this->State->StructureShares;
+  shares->Initialize();
+  vtkTable* known =
+    this->State->Mapper->HasDrawn ? this->State->Mapper->GetKnownStructureTable() : nullptr;
+  if (known && known->GetColumnByName("Visible"))
+  {
+    for (vtkIdType row = 0; row < known->GetNumberOfRows(); ++row)
+    {
+      for (const char* column : { "Visible", "BaseVisible", "Removed", "Attainable" })
+      {
+        shares->InsertNextValue(known->GetValueByName(row, column).ToDouble());
+      }
+    }
+  }
+  return shares;
+}
+
+void vtkOptimizedVolumeRepresentation::MeasureStructures()
+{
+  if (this->State->Mapper->HasDrawn)
+  {
+    this->State->Mapper->GetStructureTable();
+  }
+}
+
+int vtkOptimizedVolumeRepresentation::GetStructuresMeasured()
+{
+  return !this->State->Mapper->HasDrawn || this->State->Mapper->GetStructuresMeasured() ? 1 : 0;
 }
 
 int vtkOptimizedVolumeRepresentation::GetConverged()

@@ -49,7 +49,8 @@ LimpidResults::LimpidResults(vtkSMProxy* display, vtkSMPropertyGroup* group, QWi
   for (unsigned int i = 0; i < group->GetNumberOfProperties(); ++i)
   {
     vtkSMProperty* property = group->GetProperty(i);
-    if (std::strcmp(property->GetPanelVisibility(), "never") == 0)
+    const bool isTable = property->GetRepeatable() != 0; // LimpidStructures shows it
+    if (isTable || std::strcmp(property->GetPanelVisibility(), "never") == 0)
     {
       continue;
     }

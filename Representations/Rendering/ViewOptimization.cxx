@@ -35,7 +35,7 @@ void ViewOptimization::TakeScene(const FrameSettings& frame, const VolumeData& d
   this->Optimizer.reset();
   this->Most.reset();
   this->Front.reset();
-  this->OfStructures.reset();
+  this->OfStructures = {};
   this->Base = nullptr;
   auto optimizer = std::make_unique<Progressive>(data.Scene(), frame.solver);
   optimizer->GoOnFrom(shown);
@@ -308,31 +308,26 @@ void ViewOptimization::Advance(const FrameSettings& frame, const VolumeData& dat
   }
 }
 
-bool ViewOptimization::KnowsShares(const Camera& camera, bool optimized) const
+void ViewOptimization::MeasureStructures(const Camera& camera, bool optimized,
+  const VolumeData& data, const std::function<bool()>& isAborted)
 {
-  const auto& known = this->OfStructures;
-  return known && AreSame(camera, known->camera) && optimized == known->optimized &&
-    known->version == this->Changes;
-}
-
-const std::vector<StructureShares>& ViewOptimization::SharesFrom(const Camera& camera,
-  bool optimized, const VolumeData& data, const std::function<bool()>& isAborted)
-{
-  static const std::vector<StructureShares> unknown;
   const bool fits = this->Optimizer && this->SceneVersion == data.SceneVersion();
-  if (!fits || !data.Labelled())
-  {
-    return unknown;
-  }
-  if (!this->KnowsShares(camera, optimized))
+  if (fits && data.Labelled() && !this->SharesOfStructures(camera, optimized))
   {
     const Interruptible interruptible([&isAborted]() { return !isAborted(); });
     const float* seen =
       optimized ? this->Optimizer->Extinction() : this->Optimizer->BaseExtinction();
-    this->OfStructures = { camera, optimized, this->Changes,
+    this->OfStructures[optimized ? 1 : 0] = { camera, this->Changes,
       this->Optimizer->SharesFrom(camera, *data.Labelled(), data.StructureRows(), seen) };
   }
-  return this->OfStructures->shares;
+}
+
+const std::vector<StructureShares>* ViewOptimization::SharesOfStructures(
+  const Camera& camera, bool optimized) const
+{
+  const std::optional<KnownShares>& known = this->OfStructures[optimized ? 1 : 0];
+  const bool isCurrent = known && AreSame(camera, known->camera) && known->version == this->Changes;
+  return isCurrent ? &known->shares : nullptr;
 }
 
 void ViewOptimization::ShowBase(const FrameSettings& frame, const VolumeData& data)
@@ -354,7 +349,7 @@ void ViewOptimization::Release()
   this->Optimizer.reset();
   this->Most.reset();
   this->Front.reset();
-  this->OfStructures.reset();
+  this->OfStructures = {};
   this->Base = nullptr;
   this->ShowsBase = true;
   this->HidesFound = false;

@@ -12,6 +12,7 @@
 #include "optimize/Progressive.h"
 #include "render/Renderer.h"
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -40,15 +41,16 @@ public:
     const std::optional<OpaqueGeometry>& opaque, const FrameClock& clock,
     const std::function<bool()>& isAborted, FrameResult& result);
 
-  /// Returns what a camera sees of each structure of the data through the result, or, unless
-  /// `optimized`, through the extinction of the transfer functions. Computed by the first call for
-  /// a camera and a result. Empty if unknown. In data coordinates. `isAborted`: see Advance. Throws
-  /// Interrupted if aborted. Opaque geometry hides nothing.
-  const std::vector<StructureShares>& SharesFrom(const Camera& camera, bool optimized,
-    const VolumeData& data, const std::function<bool()>& isAborted);
+  /// Finds what a camera sees of each structure of the data through the result, or, unless
+  /// `optimized`, through the extinction of the transfer functions. The camera is in data
+  /// coordinates. Opaque geometry hides nothing. `isAborted`: see Advance. Throws Interrupted if
+  /// aborted.
+  void MeasureStructures(const Camera& camera, bool optimized, const VolumeData& data,
+    const std::function<bool()>& isAborted);
 
-  /// Returns whether SharesFrom would compute nothing.
-  bool KnowsShares(const Camera& camera, bool optimized) const;
+  /// Returns what MeasureStructures has found, unless the result has changed; null: nothing.
+  const std::vector<StructureShares>* SharesOfStructures(
+    const Camera& camera, bool optimized) const;
 
   /// Shows the extinction of the transfer functions. The result is kept, and the next optimised
   /// frame shows it at once.
@@ -135,11 +137,10 @@ private:
   struct KnownShares
   {
     Camera camera;
-    bool optimized = true;
     std::uint64_t version = 0; ///< of the result
     std::vector<StructureShares> shares;
   };
-  std::optional<KnownShares> OfStructures;
+  std::array<std::optional<KnownShares>, 2> OfStructures; ///< without optimisation, and with it
   bool ShowsBase = true;
   bool HidesFound = false;         ///< whether the base extinction replaces a result that was shown
                                    ///< before

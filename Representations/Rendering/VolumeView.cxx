@@ -340,33 +340,33 @@ void VolumeView::PrepareNow(
   }
 }
 
-bool VolumeView::KnowsShares() const
+void VolumeView::MeasureStructures(const VolumeData& data)
 {
-  return this->Geometry &&
-    this->Optimization.KnowsShares(this->Geometry->camera, this->LastResult.optimized);
+  if (!this->Geometry)
+  {
+    return;
+  }
+  this->Reports = false;
+  try
+  {
+    this->WhileDrawing(
+      [&]()
+      {
+        this->Optimization.MeasureStructures(this->Geometry->camera, this->LastResult.optimized,
+          data, [this]() { return this->IsAborted(0); });
+      });
+  }
+  catch (const Interrupted&)
+  {
+    return; // nothing is known
+  }
 }
 
-std::vector<StructureShares> VolumeView::SharesOfStructures(const VolumeData& data)
+const std::vector<StructureShares>* VolumeView::SharesOfStructures() const
 {
-  std::vector<StructureShares> shares;
-  if (this->Geometry && this->LastResult.measured && this->LastResult.converged)
-  {
-    this->Reports = false;
-    const auto find = [&]()
-    {
-      shares = this->Optimization.SharesFrom(this->Geometry->camera, this->LastResult.optimized,
-        data, [this]() { return this->IsAborted(0); });
-    };
-    try
-    {
-      this->WhileDrawing(find);
-    }
-    catch (const Interrupted&)
-    {
-      return {}; // they stay unknown
-    }
-  }
-  return shares;
+  return this->Geometry
+    ? this->Optimization.SharesOfStructures(this->Geometry->camera, this->LastResult.optimized)
+    : nullptr;
 }
 
 void VolumeView::Reset()

@@ -70,13 +70,14 @@ public:
   /// interaction, plus shadows. Returns whether work is left. Throws like Draw.
   bool PrepareOriginal(const VolumeData& data);
 
-  /// Returns what the camera of the last frame sees of each structure of the data, in their order;
-  /// empty if unknown. Computed by the first call after a frame has changed it, which takes about
-  /// as long as ten scores. Not in distributed runs. Throws if there is no memory.
-  std::vector<StructureShares> SharesOfStructures(const VolumeData& data);
+  /// Finds what the camera of the last frame sees of each structure of the data, unless that is
+  /// known. Takes about as long as ten scores. Not in distributed runs. Throws if there is no
+  /// memory.
+  void MeasureStructures(const VolumeData& data);
 
-  /// Returns whether SharesOfStructures would compute nothing.
-  bool KnowsShares() const;
+  /// Returns what MeasureStructures has found for the last frame, in the order of the structures;
+  /// null: nothing.
+  const std::vector<StructureShares>* SharesOfStructures() const;
 
   /// Draws the visible pixels of the last frame in one colour, for a selection.
   void DrawMask(const float color[3]);

@@ -163,13 +163,18 @@ double vtkTransmittanceVolumeMapper::GetAttainableLightScore() const
 
 vtkTable* vtkTransmittanceVolumeMapper::GetStructureTable()
 {
-  this->State->FillStructures();
-  return this->State->Structures;
+  this->State->MeasureStructures();
+  return this->State->KnownStructures();
+}
+
+vtkTable* vtkTransmittanceVolumeMapper::GetKnownStructureTable()
+{
+  return this->State->KnownStructures();
 }
 
 bool vtkTransmittanceVolumeMapper::GetStructuresMeasured() const
 {
-  return this->State->AreStructuresMeasured();
+  return !this->State->CanMeasureStructures() || this->State->Shown->SharesOfStructures();
 }
 
 bool vtkTransmittanceVolumeMapper::GetConverged() const

@@ -472,10 +472,14 @@ public:
    */
   vtkTable* GetStructureTable();
 
+  ///@{
   /**
-   * Whether GetStructureTable has nothing to compute.
+   * GetKnownStructureTable returns that table as far as it is known, without computing anything.
+   * GetStructuresMeasured: whether that is all there is.
    */
+  vtkTable* GetKnownStructureTable();
   bool GetStructuresMeasured() const;
+  ///@}
 
   /**
    * Tells the mapper that nothing is shown: scores and fractions are zero until the next frame. For

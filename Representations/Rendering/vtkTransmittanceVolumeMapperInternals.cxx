@@ -298,35 +298,39 @@ bool vtkTransmittanceVolumeMapper::Internals::PrepareOriginals()
   return isLeft;
 }
 
-// Returns whether the table of structures would be filled without computing anything.
-bool vtkTransmittanceVolumeMapper::Internals::AreStructuresMeasured() const
+// Returns whether the last frame was such that its camera's view of structures can be measured.
+bool vtkTransmittanceVolumeMapper::Internals::CanMeasureStructures() const
 {
-  const bool canMeasure = this->Shown && this->Last.measured && this->Last.converged &&
-    this->Data.Labelled() && this->Ranks->IsAlone();
-  return !canMeasure || this->Shown->KnowsShares();
+  return this->Shown && this->Last.measured && this->Last.converged && this->Data.Labelled() &&
+    this->Ranks->IsAlone();
 }
 
-// Fills the table of structures. The last result refers to the view that is shown.
-void vtkTransmittanceVolumeMapper::Internals::FillStructures()
+void vtkTransmittanceVolumeMapper::Internals::MeasureStructures()
 {
-  this->Structures->Initialize();
-  const limpid::Structures* structures = this->Data.Labelled();
-  if (!structures)
-  {
-    return;
-  }
-  if (!this->Ranks->IsAlone() && this->ReportsMessages())
+  if (this->Data.Labelled() && !this->Ranks->IsAlone() && this->ReportsMessages())
   {
     vtkWarningWithObjectMacro(this->Self,
       << "Several processes share the image (what a picture shows of each structure is not "
          "computed in distributed runs): there are no shares. Use vtkExtinctionOptimizer.");
   }
-  std::vector<limpid::StructureShares> shares;
-  if (this->Shown && this->Last.measured && this->Ranks->IsAlone() && this->Drawing == 0)
+  if (this->CanMeasureStructures() && this->Drawing == 0)
   {
-    this->WhileDrawing([&]() { shares = this->Shown->SharesOfStructures(this->Data); });
+    this->WhileDrawing([this]() { this->Shown->MeasureStructures(this->Data); });
   }
-  limpid::FillStructures(*structures, { *structures, shares, {}, {} }, this->Structures);
+}
+
+vtkTable* vtkTransmittanceVolumeMapper::Internals::KnownStructures()
+{
+  this->Structures->Initialize();
+  if (const limpid::Structures* structures = this->Data.Labelled())
+  {
+    const std::vector<limpid::StructureShares>* shares =
+      this->CanMeasureStructures() ? this->Shown->SharesOfStructures() : nullptr;
+    limpid::TargetsFound found{ *structures, {}, {}, {} };
+    found.shares = shares ? *shares : found.shares;
+    limpid::FillStructures(*structures, found, this->Structures);
+  }
+  return this->Structures;
 }
 
 bool vtkTransmittanceVolumeMapper::Internals::IsShared() const

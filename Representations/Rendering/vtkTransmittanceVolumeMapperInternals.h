@@ -54,8 +54,9 @@ struct vtkTransmittanceVolumeMapper::Internals
   void RenderParts(vtkRenderer* renderer, vtkVolume* volume);
   void RenderSelection(vtkRenderer* renderer, vtkVolume* volume, vtkHardwareSelector* selector);
   bool PrepareOriginals();
-  bool AreStructuresMeasured() const;
-  void FillStructures();
+  bool CanMeasureStructures() const;
+  void MeasureStructures();
+  vtkTable* KnownStructures();
   void ReleaseMemory();
   void ReleaseData();
   limpid::VolumeView& ViewOf(vtkRenderer* renderer, vtkVolume* volume);
