@@ -150,19 +150,17 @@ std::vector<double> LimpidDataArray::SuggestedImportance() const
   return { range[0], ends[0], ends[1], range[1] };
 }
 
-LimpidDataArray ImportanceArrayOf(vtkSMProxy* proxy)
+namespace
+{
+// Returns the first of some properties of a proxy whose array the input has, as its panel shows it.
+LimpidDataArray ChosenArray(vtkSMProxy* proxy, const std::vector<const char*>& properties)
 {
   LimpidDataArray array;
   vtkSMPropertyHelper input(proxy, "Input", /*quiet=*/true);
   auto* source =
     input.GetNumberOfElements() > 0 ? vtkSMSourceProxy::SafeDownCast(input.GetAsProxy()) : nullptr;
-  if (!source || !proxy->GetProperty("ImportanceArray"))
-  {
-    return array;
-  }
-  array.Port = input.GetOutputPort();
-  // The second is a property of displays, the third of filters.
-  for (const char* name : { "ImportanceArray", "ColorArrayName", "ScalarArray" })
+  array.Port = source ? input.GetOutputPort() : 0;
+  for (const char* name : properties)
   {
     vtkSMPropertyHelper chosen(proxy, name, /*quiet=*/true);
     chosen.SetUseUnchecked(true);
@@ -172,12 +170,33 @@ LimpidDataArray ImportanceArrayOf(vtkSMProxy* proxy)
     array.Source = source;
     if (InformationOf(array))
     {
-      vtkSMPropertyHelper component(proxy, "ImportanceComponent");
-      component.SetUseUnchecked(true);
-      array.Component = component.GetAsInt();
       return array;
     }
   }
   array.Source = nullptr;
   return array;
+}
+}
+
+LimpidDataArray ImportanceArrayOf(vtkSMProxy* proxy)
+{
+  if (!proxy->GetProperty("ImportanceArray"))
+  {
+    return {};
+  }
+  // The second is a property of displays, the third of filters.
+  LimpidDataArray array =
+    ChosenArray(proxy, { "ImportanceArray", "ColorArrayName", "ScalarArray" });
+  if (array)
+  {
+    vtkSMPropertyHelper component(proxy, "ImportanceComponent");
+    component.SetUseUnchecked(true);
+    array.Component = component.GetAsInt();
+  }
+  return array;
+}
+
+LimpidDataArray StructureArrayOf(vtkSMProxy* proxy)
+{
+  return ChosenArray(proxy, { "StructureArray" });
 }

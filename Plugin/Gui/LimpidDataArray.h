@@ -54,4 +54,7 @@ struct LimpidDataArray
 /// it. A display's name "(Color Array)" stands for the array that it is colored by.
 LimpidDataArray ImportanceArrayOf(vtkSMProxy* proxy);
 
+/// Returns the array of the property StructureArray likewise.
+LimpidDataArray StructureArrayOf(vtkSMProxy* proxy);
+
 #endif

@@ -81,6 +81,16 @@ bool IsConverged(vtkSMProxy* volume)
   return Ask(volume, "GetConverged", vtkPVSession::RENDER_SERVER_ROOT, true);
 }
 
+bool AreStructuresMeasured(vtkSMProxy* volume)
+{
+  return Ask(volume, "GetStructuresMeasured", vtkPVSession::RENDER_SERVER_ROOT, true);
+}
+
+void MeasureStructures(vtkSMProxy* volume)
+{
+  Ask(volume, "MeasureStructures", vtkPVSession::RENDER_SERVER_ROOT, true);
+}
+
 bool PrepareOriginal(vtkSMProxy* volume)
 {
   return Ask(volume, "PrepareOriginal", vtkPVSession::RENDER_SERVER, false);

@@ -40,6 +40,12 @@ void SetStillRenders(vtkSMProxy* volume, StillRenders how);
 /// Returns whether the last frame was complete, as reported by the process that drew it.
 bool IsConverged(vtkSMProxy* volume);
 
+/// Returns whether all is known about what the last picture shows of structures.
+bool AreStructuresMeasured(vtkSMProxy* volume);
+
+/// Measures that, on the process that draws. It may take as long as the picture.
+void MeasureStructures(vtkSMProxy* volume);
+
 /// Computes a part of the unoptimized picture of a finished view, on all processes. Returns whether
 /// work is left.
 bool PrepareOriginal(vtkSMProxy* volume);

@@ -8,12 +8,16 @@
 #include "pqServer.h"
 #include "vtkCommand.h"
 #include "vtkEventQtSlotConnect.h"
+#include "vtkRenderWindow.h"
 #include "vtkRenderWindowInteractor.h"
 #include "vtkSMProxy.h"
 #include "vtkSMRenderViewProxy.h"
 #include "vtkSMSession.h"
 
+#include <QCursor>
+
 #include <algorithm>
+#include <utility>
 
 namespace
 {
@@ -42,8 +46,7 @@ LimpidProgressiveView::LimpidProgressiveView(vtkSMRenderViewProxy* proxy, pqRend
   this->connect(&this->NextStep, &QTimer::timeout, this, &LimpidProgressiveView::step);
 
   this->Preparation.setSingleShot(true);
-  this->connect(
-    &this->Preparation, &QTimer::timeout, this, &LimpidProgressiveView::prepareOriginals);
+  this->connect(&this->Preparation, &QTimer::timeout, this, &LimpidProgressiveView::prepare);
 
   this->WheelRest.setSingleShot(true);
   this->connect(&this->WheelRest, &QTimer::timeout, this, &LimpidProgressiveView::scheduleStep);
@@ -52,6 +55,8 @@ LimpidProgressiveView::LimpidProgressiveView(vtkSMRenderViewProxy* proxy, pqRend
     SLOT(beginRender(vtkObject*, unsigned long, void*, void*)));
   this->Events->Connect(
     proxy, vtkCommand::EndEvent, this, SLOT(endRender(vtkObject*, unsigned long, void*, void*)));
+  this->Events->Connect(
+    proxy->GetRenderWindow(), vtkCommand::AbortCheckEvent, this, SLOT(checkAbort()));
   if (vtkRenderWindowInteractor* interactor = proxy->GetInteractor())
   {
     this->Events->Connect(
@@ -162,7 +167,7 @@ bool LimpidProgressiveView::isBusy() const
     this->View->getServer()->isProcessingPending();
 }
 
-void LimpidProgressiveView::prepareOriginals()
+void LimpidProgressiveView::prepare()
 {
   if (this->Interacting || this->Paused || this->WheelRest.isActive())
   {
@@ -171,8 +176,54 @@ void LimpidProgressiveView::prepareOriginals()
   if (this->isBusy())
   {
     this->Preparation.start(REST);
-    return;
   }
+  else if (!this->measureStructures())
+  {
+    this->prepareOriginals();
+  }
+}
+
+// Measures what the picture shows of structures, and renders to tell it. Returns whether there was
+// anything to measure.
+bool LimpidProgressiveView::measureStructures()
+{
+  std::vector<vtkSMProxy*> volumes = VisibleOptimizedVolumes(this->Proxy);
+  volumes.erase(
+    std::remove_if(volumes.begin(), volumes.end(), AreStructuresMeasured), volumes.end());
+  if (volumes.empty())
+  {
+    return false;
+  }
+  this->MouseBefore = QCursor::pos();
+  this->Measuring = true;
+  for (vtkSMProxy* volume : volumes)
+  {
+    MeasureStructures(volume);
+  }
+  if (std::exchange(this->Measuring, false))
+  {
+    this->View->render();
+  }
+  else
+  {
+    this->Preparation.start(REST); // aborted
+  }
+  return true;
+}
+
+// Qt tells where the mouse is at once, but not what it does, until the events that wait are
+// handled.
+void LimpidProgressiveView::checkAbort()
+{
+  if (this->Measuring && QCursor::pos() != this->MouseBefore)
+  {
+    this->Measuring = false;
+    this->Proxy->GetRenderWindow()->SetAbortRender(1);
+  }
+}
+
+void LimpidProgressiveView::prepareOriginals()
+{
   bool isLeft = false;
   for (vtkSMProxy* volume : VisibleOptimizedVolumes(this->Proxy))
   {

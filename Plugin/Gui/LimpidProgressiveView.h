@@ -10,8 +10,9 @@
  * plays. Between notches of the mouse wheel, ParaView's still renders are made like interactive
  * ones, and no step is made until the wheel is at rest. Captured pictures (screenshots, frames of a
  * saved animation) are completed in one render, whose progress LimpidCapture shows. When all is
- * done and ParaView has been idle for a second, the unoptimized pictures are computed, so that Show
- * Original shows them at once.
+ * done and ParaView has been idle for a second, it is measured what the picture shows of each
+ * structure, which the next render tells; moving the mouse aborts this. Then the unoptimized
+ * pictures are computed, so that Show Original shows them at once.
  */
 
 #ifndef LimpidProgressiveView_h
@@ -20,6 +21,7 @@
 #include "vtkNew.h"
 
 #include <QObject>
+#include <QPoint>
 #include <QTimer>
 
 class LimpidCapture;
@@ -48,10 +50,13 @@ private Q_SLOTS:
   void endInteraction();
   void wheelTurned();
   void step();
-  void prepareOriginals();
+  void prepare();
+  void checkAbort(); // an event of the view's window
 
 private:
   void scheduleStep();
+  bool measureStructures();
+  void prepareOriginals();
   bool isBusy() const;
 
   pqRenderView* View; // the parent
@@ -59,11 +64,12 @@ private:
   LimpidCapture* Capture; // a child
   vtkNew<vtkEventQtSlotConnect> Events;
   QTimer NextStep;
-  QTimer Preparation;      // active: all is done, and the pictures of Show Original are computed
-                           // next
+  QTimer Preparation;      // active: all is done, and what may be asked for is computed next
   QTimer WheelRest;        // active: the wheel was turned recently
   bool Unfinished = false; // whether the last render left work
   bool Interacting = false;
+  bool Measuring = false; // off as soon as it is aborted
+  QPoint MouseBefore;     // position of the mouse when measuring began
   bool Paused = false;
 };
 

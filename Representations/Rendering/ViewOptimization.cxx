@@ -317,8 +317,18 @@ void ViewOptimization::MeasureStructures(const Camera& camera, bool optimized,
     const Interruptible interruptible([&isAborted]() { return !isAborted(); });
     const float* seen =
       optimized ? this->Optimizer->Extinction() : this->Optimizer->BaseExtinction();
-    this->OfStructures[optimized ? 1 : 0] = { camera, this->Changes,
-      this->Optimizer->SharesFrom(camera, *data.Labelled(), data.StructureRows(), seen) };
+    std::optional<KnownShares>& known = this->OfStructures[optimized ? 1 : 0];
+    known = { camera, this->Changes, {} }; // what is impossible is not tried again
+    try
+    {
+      known->shares =
+        this->Optimizer->SharesFrom(camera, *data.Labelled(), data.StructureRows(), seen);
+    }
+    catch (const Interrupted&)
+    {
+      known.reset();
+      throw;
+    }
   }
 }
 

@@ -1,0 +1,106 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * @class   LimpidStructureModel
+ * @brief   the structures of a segmentation as an editable table
+ *
+ * A row each: whether it is important, name, label, importance, target share, and what the last
+ * picture shows of it. A structure that becomes unimportant keeps its importance in memory, and has
+ * it again when it becomes important.
+ */
+
+#ifndef LimpidStructureModel_h
+#define LimpidStructureModel_h
+
+#include <QAbstractTableModel>
+#include <QHash>
+#include <QString>
+#include <QVariant>
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <vector>
+
+class LimpidStructureModel : public QAbstractTableModel
+{
+  Q_OBJECT
+
+public:
+  enum Column
+  {
+    IMPORTANT = 0,
+    NAME = 1,
+    LABEL = 2,
+    IMPORTANCE = 3,
+    TARGET = 4,
+    VISIBLE = 5,
+    COLUMNS = 6
+  };
+
+  /// Data by which rows are sorted.
+  static constexpr int SORT_ROLE = Qt::UserRole;
+
+  using Names = std::map<std::int64_t, QString>; ///< by label
+
+  explicit LimpidStructureModel(QObject* parent);
+
+  ///@{
+  /// The rows as the property Structures has them: label, name, importance and target of each.
+  QVariantList texts() const;
+  void setTexts(const QVariantList& texts);
+  ///@}
+
+  /// Sets what the last picture shows, as the property StructureShares has it. Ignored unless it is
+  /// for all rows.
+  void setShares(const std::vector<double>& shares);
+
+  /// Adds important structures for labels that have no row.
+  void add(const Names& names);
+
+  /// Gives names to the rows of labels.
+  void rename(const Names& names);
+
+  /// Makes all structures important or unimportant.
+  void setAllImportant(bool important);
+
+  /// Gives other rows the value that a row has in a column.
+  void copy(int row, int column, const std::vector<int>& others);
+
+  int rowCount(const QModelIndex& parent = QModelIndex()) const override;
+  int columnCount(const QModelIndex& parent = QModelIndex()) const override;
+  QVariant data(const QModelIndex& index, int role = Qt::DisplayRole) const override;
+  bool setData(const QModelIndex& index, const QVariant& value, int role = Qt::EditRole) override;
+  QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+  Qt::ItemFlags flags(const QModelIndex& index) const override;
+
+Q_SIGNALS:
+  void edited(int row, int column); ///< by setData
+
+private:
+  // Columns of the property.
+  enum Text
+  {
+    LABEL_TEXT = 0,
+    NAME_TEXT = 1,
+    IMPORTANCE_TEXT = 2,
+    TARGET_TEXT = 3,
+    TEXTS = 4
+  };
+  using Row = std::array<QString, TEXTS>;
+
+  static bool isImportant(const Row& row) { return row[IMPORTANCE_TEXT].toDouble() > 0; }
+  void setImportance(Row& row, const QString& importance);
+  void setImportant(Row& row, bool important);
+  QString freeName(const QString& wanted, const QString& label) const;
+  QString visibleText(int row) const;
+  QVariant value(int row, int column) const;
+  void tellOfAll();
+
+  std::vector<Row> Rows;
+  std::vector<double> Shares;               // see setShares; empty: unknown
+  QHash<QString, QString> FormerImportance; // of unimportant structures, by label
+};
+
+#endif

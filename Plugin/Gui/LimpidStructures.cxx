@@ -1,0 +1,250 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "LimpidStructures.h"
+
+#include "LimpidLabels.h"
+#include "StructureTableFile.h"
+
+#include "pqCoreUtilities.h"
+#include "vtkCommand.h"
+#include "vtkSMProperty.h"
+#include "vtkSMPropertyHelper.h"
+#include "vtkSMProxy.h"
+
+#include <QDoubleSpinBox>
+#include <QFileDialog>
+#include <QGridLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QMouseEvent>
+#include <QPushButton>
+#include <QStyledItemDelegate>
+#include <QTableView>
+#include <QVBoxLayout>
+
+#include <exception>
+
+namespace
+{
+const int HEIGHT = 200;    // of the table [pixels]
+const int ROW_HEIGHT = 24; // [pixels]
+
+// Keeps several selected rows selected if a value of one of them is clicked, to change it in all of
+// them.
+class StructureTable : public QTableView
+{
+public:
+  using QTableView::QTableView;
+
+protected:
+  QItemSelectionModel::SelectionFlags selectionCommand(
+    const QModelIndex& index, const QEvent* event) const override
+  {
+    const int column = index.column();
+    const bool isValue = column == LimpidStructureModel::IMPORTANT ||
+      column == LimpidStructureModel::IMPORTANCE || column == LimpidStructureModel::TARGET;
+    const auto* mouse = dynamic_cast<const QMouseEvent*>(event);
+    const bool keeps = isValue && mouse && mouse->modifiers() == Qt::NoModifier &&
+      this->selectionModel()->isSelected(index);
+    return keeps ? QItemSelectionModel::SelectionFlags(QItemSelectionModel::NoUpdate)
+                 : this->QTableView::selectionCommand(index, event);
+  }
+};
+
+// Edits importances between 0 and 1.
+class ImportanceDelegate : public QStyledItemDelegate
+{
+public:
+  using QStyledItemDelegate::QStyledItemDelegate;
+
+  QWidget* createEditor(
+    QWidget* parent, const QStyleOptionViewItem&, const QModelIndex&) const override
+  {
+    auto* editor = new QDoubleSpinBox(parent);
+    editor->setObjectName("Importance");
+    editor->setRange(0, 1);
+    editor->setSingleStep(0.1);
+    editor->setDecimals(2);
+    editor->setFrame(false);
+    return editor;
+  }
+};
+}
+
+LimpidStructures::LimpidStructures(
+  vtkSMProxy* owner, vtkSMProperty* structures, QWidget* parentWidget)
+  : pqPropertyWidget(owner, parentWidget)
+  , Model(new LimpidStructureModel(this))
+  , Sorted(new QSortFilterProxyModel(this))
+  , Table(new StructureTable(this))
+  , Hint(new QLabel(this))
+{
+  this->setShowLabel(false);
+  this->createTable();
+  this->Hint->setObjectName("Hint");
+  this->Hint->setWordWrap(true);
+
+  auto* fromData = this->newButton("FromData", tr("From Data"),
+    tr("Add a row for each label in the data that has none, with its name if there is one."));
+  auto* all = this->newButton("All", tr("All"), tr("Make all structures important."));
+  auto* none = this->newButton("None", tr("None"), tr("Make all structures unimportant."));
+  auto* load = this->newButton("LoadNames", tr("Load Names ..."),
+    tr("Name the labels by a text file: a table with the columns label and name, a color table of "
+       "FreeSurfer, or the label descriptions of ITK-SNAP."));
+  auto* buttons = new QGridLayout();
+  buttons->addWidget(fromData, 0, 0);
+  buttons->addWidget(load, 0, 1);
+  buttons->addWidget(all, 1, 0);
+  buttons->addWidget(none, 1, 1);
+  auto* rows = new QVBoxLayout(this);
+  rows->setContentsMargins(0, 0, 0, 0);
+  rows->addWidget(this->Table);
+  rows->addWidget(this->Hint);
+  rows->addLayout(buttons);
+
+  this->connect(fromData, &QPushButton::clicked, this, &LimpidStructures::fillFromData);
+  this->connect(all, &QPushButton::clicked, this, [this] { this->setAllImportant(true); });
+  this->connect(none, &QPushButton::clicked, this, [this] { this->setAllImportant(false); });
+  this->connect(load, &QPushButton::clicked, this, &LimpidStructures::loadNames);
+  this->connect(this->Model, &LimpidStructureModel::edited, this, &LimpidStructures::takeEdit);
+  this->addPropertyLink(this, "structures", SIGNAL(structuresChanged()), structures);
+  vtkSMProperty* shares = owner->GetProperty("StructureShares");
+  this->Table->setColumnHidden(LimpidStructureModel::VISIBLE, !shares);
+  if (shares)
+  {
+    pqCoreUtilities::connect(shares, vtkCommand::ModifiedEvent, this, SLOT(followShares()));
+    this->followShares();
+  }
+}
+
+void LimpidStructures::createTable()
+{
+  this->Sorted->setSourceModel(this->Model);
+  this->Sorted->setSortRole(LimpidStructureModel::SORT_ROLE);
+  this->Sorted->setDynamicSortFilter(false); // rows stay where they are while they are edited
+  this->Table->setObjectName("Structures");
+  this->Table->setModel(this->Sorted);
+  this->Table->setFixedHeight(HEIGHT);
+  this->Table->setSelectionBehavior(QAbstractItemView::SelectRows);
+  this->Table->setSelectionMode(QAbstractItemView::ExtendedSelection);
+  this->Table->setSortingEnabled(true);
+  this->Table->sortByColumn(-1, Qt::AscendingOrder); // as the property has them
+  this->Table->setItemDelegateForColumn(
+    LimpidStructureModel::IMPORTANCE, new ImportanceDelegate(this));
+  QHeaderView* left = this->Table->verticalHeader();
+  left->hide();
+  left->setMinimumSectionSize(1);
+  left->setDefaultSectionSize(ROW_HEIGHT);
+  this->Table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+}
+
+QPushButton* LimpidStructures::newButton(
+  const char* name, const QString& text, const QString& toolTip)
+{
+  auto* button = new QPushButton(text, this);
+  button->setObjectName(name);
+  button->setToolTip(toolTip);
+  return button;
+}
+
+QVariantList LimpidStructures::structures() const
+{
+  return this->Model->texts();
+}
+
+void LimpidStructures::setStructures(const QVariantList& texts)
+{
+  if (texts != this->structures())
+  {
+    this->Model->setTexts(texts);
+    Q_EMIT this->structuresChanged();
+  }
+  this->setHint(QString());
+}
+
+// Shows a text below the table, or what to do if it is empty.
+void LimpidStructures::setHint(const QString& text)
+{
+  const bool isEmpty = this->Model->rowCount() == 0;
+  this->Hint->setText(text.isEmpty() && isEmpty
+      ? tr("All labels but 0 are equally important. Fill the table to choose among them.")
+      : text);
+  this->Hint->setVisible(!this->Hint->text().isEmpty());
+}
+
+void LimpidStructures::change()
+{
+  this->setHint(QString());
+  Q_EMIT this->structuresChanged();
+}
+
+void LimpidStructures::takeEdit(int row, int column)
+{
+  std::vector<int> others;
+  bool isSelected = false;
+  for (const QModelIndex& index : this->Table->selectionModel()->selectedRows())
+  {
+    const int selected = this->Sorted->mapToSource(index).row();
+    isSelected = isSelected || selected == row;
+    others.push_back(selected);
+  }
+  if (isSelected)
+  {
+    this->Model->copy(row, column, others);
+  }
+  this->change();
+}
+
+void LimpidStructures::followShares()
+{
+  this->Model->setShares(vtkSMPropertyHelper(this->proxy(), "StructureShares").GetDoubleArray());
+}
+
+void LimpidStructures::setAllImportant(bool important)
+{
+  this->Model->setAllImportant(important);
+  this->change();
+}
+
+void LimpidStructures::fillFromData()
+{
+  const LimpidLabels labels = LabelsOf(this->proxy());
+  if (!labels.Problem.isEmpty())
+  {
+    this->setHint(labels.Problem);
+    return;
+  }
+  this->Model->add(labels.Names);
+  this->change();
+}
+
+void LimpidStructures::loadNames()
+{
+  const QString path = QFileDialog::getOpenFileName(this, tr("Names of Labels"), QString(),
+    tr("Names of labels") + " (*.csv *.tsv *.txt *.ctbl *.lut *.label)");
+  if (path.isEmpty())
+  {
+    return;
+  }
+  try
+  {
+    const limpid::StructureTableFile file = limpid::ReadStructureTable(path.toStdString());
+    LimpidStructureModel::Names names;
+    for (const auto& [label, name] : file.names)
+    {
+      names[label] = QString::fromStdString(name);
+    }
+    if (this->Model->rowCount() == 0)
+    {
+      names.erase(0); // the background
+      this->Model->add(names);
+    }
+    this->Model->rename(names);
+    this->change();
+    this->setHint(QString::fromStdString(file.warning));
+  }
+  catch (const std::exception& error)
+  {
+    this->setHint(error.what());
+  }
+}

@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+/**
+ * @class   LimpidStructures
+ * @brief   the table of structures in the properties panel
+ *
+ * For the property Structures, with panel_widget="LimpidStructures": a LimpidStructureModel, of
+ * which a change of one selected row changes all selected ones, and buttons that fill it from the
+ * labels in the data or name them from a file. Of a display it also has what the last picture shows
+ * of each structure (StructureShares). It only sets the property, so that undo, trace and state
+ * contain all changes.
+ */
+
+#ifndef LimpidStructures_h
+#define LimpidStructures_h
+
+#include "LimpidStructureModel.h"
+#include "pqPropertyWidget.h"
+
+#include <QSortFilterProxyModel>
+
+class QLabel;
+class QPushButton;
+class QTableView;
+
+class LimpidStructures : public pqPropertyWidget
+{
+  Q_OBJECT
+  Q_PROPERTY(QVariantList structures READ structures WRITE setStructures NOTIFY structuresChanged)
+
+public:
+  LimpidStructures(vtkSMProxy* proxy, vtkSMProperty* structures, QWidget* parent = nullptr);
+
+  QVariantList structures() const;
+  void setStructures(const QVariantList& texts);
+
+Q_SIGNALS:
+  void structuresChanged();
+
+private Q_SLOTS:
+  void takeEdit(int row, int column);
+  void followShares();
+  void fillFromData();
+  void loadNames();
+
+private:
+  void createTable();
+  QPushButton* newButton(const char* name, const QString& text, const QString& toolTip);
+  void setAllImportant(bool important);
+  void change();
+  void setHint(const QString& text);
+
+  LimpidStructureModel* Model;
+  QSortFilterProxyModel* Sorted;
+  QTableView* Table;
+  QLabel* Hint; // what to do, or what was wrong
+};
+
+#endif

@@ -1,0 +1,72 @@
+# SPDX-FileCopyrightText: Copyright (c) Limpid developers
+# SPDX-License-Identifier: BSD-3-Clause
+
+# The table of structures as a person meets it in the panel: filled from the data, with names of the
+# color map; two rows changed as one, undone and redone; switched off and on. Once the picture is
+# finished, the table and the view say what is seen. TestStructures.xml has the events between the
+# stages.
+
+import story
+from paraview import simple
+from story import expect
+
+
+def text_of(view):
+    props = view.GetRenderer().GetViewProps()
+    return "".join(str(prop) for prop in props if prop.IsA("vtkScoreAnnotation")).splitlines()
+
+
+def column(display, number):
+    return list(display.Structures)[number::4]
+
+
+def expect_column(display, number, expected, what):
+    found = column(display, number)
+    expect(found == expected, f"{what}: {found}")
+
+
+def tell():
+    story.load_plugins()
+    view = simple.GetActiveViewOrCreate("RenderView")
+    source = simple.Calculator(Input=simple.OcclusionPhantom(Resolution=32), ResultArrayName="Labels",
+                               Function="ceil(3*Importance)")
+    display = simple.Show(source, view)
+    display.SetRepresentationType("Optimized Volume")
+    simple.ColorBy(display, ("POINTS", "Scalars"))
+    simple.GetColorTransferFunction("Labels").Annotations = ["1", "rim", "3", "core"]
+    simple.SetActiveSource(source)
+    simple.ResetCamera(view)
+    display.StructureArray = ["POINTS", "Labels"]
+    frames = story.Frames(view)
+    simple.Render(view)
+    frames.settle()
+    story.listen(view)
+    story.take_messages()  # that no structures are listed
+    yield
+
+    # From here to "switched on" nothing that ParaView could undo may be done by Python.
+    expect_column(display, 0, ["1", "2", "3"], "the labels in the data")
+    expect_column(display, 1, ["rim", "label 2", "core"], "their names")
+    expect_column(display, 2, ["1", "1", "1"], "are important")
+    expect(frames.settle(3 * story.PATIENCE, 2), "rendering ends")
+    expect(len(list(display.StructureShares)) == 12, "what is seen of each is measured")
+    story.screenshot("filled.png")
+    yield
+    expect_column(display, 2, ["0.4", "0.4", "1"], "two selected rows are changed as one")
+    story.screenshot("changed.png")
+    yield
+    expect_column(display, 2, ["1", "1", "1"], "undone in one step")
+    yield
+    expect_column(display, 2, ["0.4", "0.4", "1"], "redone in one step")
+    yield
+    expect_column(display, 2, ["0", "0", "0"], "none is important")
+    yield
+    expect_column(display, 2, ["0.4", "0.4", "1"], "switched on, all are as important as before")
+    yield
+    expect_column(display, 3, ["", "", "0.955"], "a percentage is typed as the target of one row")
+    expect(frames.settle(3 * story.PATIENCE, 2), "rendering ends")
+    expect(any(line.startswith("core ") and line.endswith(" (target 95.5 %)")
+               for line in text_of(view)), "the view says so, too")
+
+
+story.begin(tell())
