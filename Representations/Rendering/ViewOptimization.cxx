@@ -308,35 +308,36 @@ void ViewOptimization::Advance(const FrameSettings& frame, const VolumeData& dat
   }
 }
 
-void ViewOptimization::MeasureStructures(const Camera& camera, bool optimized,
-  const VolumeData& data, const std::function<bool()>& isAborted)
+void ViewOptimization::MeasureStructures(
+  const Look& look, const VolumeData& data, const std::function<bool()>& isAborted)
 {
   const bool fits = this->Optimizer && this->SceneVersion == data.SceneVersion();
-  if (fits && data.Labelled() && !this->SharesOfStructures(camera, optimized))
+  if (!fits || !data.Labelled() || this->SharesOfStructures(look))
   {
-    const Interruptible interruptible([&isAborted]() { return !isAborted(); });
-    const float* seen =
-      optimized ? this->Optimizer->Extinction() : this->Optimizer->BaseExtinction();
-    std::optional<KnownShares>& known = this->OfStructures[optimized ? 1 : 0];
-    known = { camera, this->Changes, {} }; // what is impossible is not tried again
-    try
-    {
-      known->shares =
-        this->Optimizer->SharesFrom(camera, *data.Labelled(), data.StructureRows(), seen);
-    }
-    catch (const Interrupted&)
-    {
-      known.reset();
-      throw;
-    }
+    return;
+  }
+  const Interruptible interruptible([&isAborted]() { return !isAborted(); });
+  const float* seen =
+    look.optimized ? this->Optimizer->Extinction() : this->Optimizer->BaseExtinction();
+  std::optional<KnownShares>& known = this->OfStructures[look.optimized ? 1 : 0];
+  known = { look, this->Changes, {} }; // what is impossible is not tried again
+  try
+  {
+    known->shares = this->Optimizer->SharesFrom(look.camera, *data.Labelled(), data.StructureRows(),
+      seen, look.opaque ? &*look.opaque : nullptr);
+  }
+  catch (const Interrupted&)
+  {
+    known.reset();
+    throw;
   }
 }
 
-const std::vector<StructureShares>* ViewOptimization::SharesOfStructures(
-  const Camera& camera, bool optimized) const
+const std::vector<StructureShares>* ViewOptimization::SharesOfStructures(const Look& look) const
 {
-  const std::optional<KnownShares>& known = this->OfStructures[optimized ? 1 : 0];
-  const bool isCurrent = known && AreSame(camera, known->camera) && known->version == this->Changes;
+  const std::optional<KnownShares>& known = this->OfStructures[look.optimized ? 1 : 0];
+  const bool isCurrent = known && AreSame(look.camera, known->look.camera) &&
+    look.opaque == known->look.opaque && known->version == this->Changes;
   return isCurrent ? &known->shares : nullptr;
 }
 

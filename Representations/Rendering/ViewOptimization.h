@@ -41,16 +41,22 @@ public:
     const std::optional<OpaqueGeometry>& opaque, const FrameClock& clock,
     const std::function<bool()>& isAborted, FrameResult& result);
 
-  /// Finds what a camera sees of each structure of the data through the result, or, unless
-  /// `optimized`, through the extinction of the transfer functions. The camera is in data
-  /// coordinates. Opaque geometry hides nothing. `isAborted`: see Advance. Throws Interrupted if
-  /// aborted.
-  void MeasureStructures(const Camera& camera, bool optimized, const VolumeData& data,
-    const std::function<bool()>& isAborted);
+  /// What is looked at: a camera in data coordinates, opaque geometry as for Advance, and whether
+  /// through the result or through the extinction of the transfer functions.
+  struct Look
+  {
+    Camera camera;
+    std::optional<OpaqueGeometry> opaque;
+    bool optimized = true;
+  };
+
+  /// Finds what is seen of each structure of the data. `isAborted`: see Advance. Throws Interrupted
+  /// if aborted.
+  void MeasureStructures(
+    const Look& look, const VolumeData& data, const std::function<bool()>& isAborted);
 
   /// Returns what MeasureStructures has found, unless the result has changed; null: nothing.
-  const std::vector<StructureShares>* SharesOfStructures(
-    const Camera& camera, bool optimized) const;
+  const std::vector<StructureShares>* SharesOfStructures(const Look& look) const;
 
   /// Shows the extinction of the transfer functions. The result is kept, and the next optimised
   /// frame shows it at once.
@@ -136,7 +142,7 @@ private:
   /// The last known shares of structures.
   struct KnownShares
   {
-    Camera camera;
+    Look look;
     std::uint64_t version = 0; ///< of the result
     std::vector<StructureShares> shares;
   };

@@ -340,6 +340,12 @@ void VolumeView::PrepareNow(
   }
 }
 
+// Returns how the last frame looked at the data. Requires Geometry.
+ViewOptimization::Look VolumeView::LastLook() const
+{
+  return { this->Geometry->camera, this->Opaque->InBox(), this->LastResult.optimized };
+}
+
 void VolumeView::MeasureStructures(const VolumeData& data)
 {
   if (!this->Geometry)
@@ -352,8 +358,8 @@ void VolumeView::MeasureStructures(const VolumeData& data)
     this->WhileDrawing(
       [&]()
       {
-        this->Optimization.MeasureStructures(this->Geometry->camera, this->LastResult.optimized,
-          data, [this]() { return this->IsAborted(0); });
+        this->Optimization.MeasureStructures(
+          this->LastLook(), data, [this]() { return this->IsAborted(0); });
       });
   }
   catch (const Interrupted&)
@@ -364,9 +370,7 @@ void VolumeView::MeasureStructures(const VolumeData& data)
 
 const std::vector<StructureShares>* VolumeView::SharesOfStructures() const
 {
-  return this->Geometry
-    ? this->Optimization.SharesOfStructures(this->Geometry->camera, this->LastResult.optimized)
-    : nullptr;
+  return this->Geometry ? this->Optimization.SharesOfStructures(this->LastLook()) : nullptr;
 }
 
 void VolumeView::Reset()

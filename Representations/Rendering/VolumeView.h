@@ -135,6 +135,7 @@ private:
   void UseImportance(const FrameSettings& frame, const VolumeData& data, FrameMessages& messages);
   void Optimize(const FrameSettings& frame, const VolumeData& data, const ViewGeometry& geometry,
     const std::function<bool()>& isAborted, FrameMessages& messages, FrameResult& result);
+  ViewOptimization::Look LastLook() const;
   double PixelSize(const FrameSettings& frame, const ViewGeometry& geometry);
   static View RaysOf(const FrameSettings& frame, const ViewGeometry& geometry,
     const std::vector<glm::dvec4>& planes, const PictureFrame& picture);

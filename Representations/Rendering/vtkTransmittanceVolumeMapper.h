@@ -466,9 +466,9 @@ public:
    * What the camera of the last frame sees of each structure: the third output of
    * vtkExtinctionOptimizer, see there, for this camera and, of several, only for it. It has no
    * shares until the frame has converged; then the first call computes them, which takes about ten
-   * times as long as a score and may be aborted like a frame. Opaque geometry hides nothing of
-   * structures. With SharesImage, there are no shares in several processes. Without a structure
-   * array, the table is empty.
+   * times as long as a score and may be aborted like a frame. With opaque geometry, which hides what
+   * is behind it, it takes twice as long. With SharesImage, there are no shares in several
+   * processes. Without a structure array, the table is empty.
    */
   vtkTable* GetStructureTable();
 

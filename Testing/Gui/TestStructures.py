@@ -3,11 +3,11 @@
 
 # The table of structures as a person meets it in the panel: filled from the data, with names of the
 # color map; two rows changed as one, undone and redone; switched off and on. Once the picture is
-# finished, the table and the view say what is seen. TestStructures.xml has the events between the
-# stages.
+# finished, the table and the view say what is seen. A filter has such a table, too.
+# TestStructures.xml has the events between the stages.
 
 import story
-from paraview import simple
+from paraview import simple, smtrace
 from story import expect
 
 
@@ -42,6 +42,7 @@ def tell():
     frames.settle()
     story.listen(view)
     story.take_messages()  # that no structures are listed
+    smtrace.start_trace()
     yield
 
     # From here to "switched on" nothing that ParaView could undo may be done by Python.
@@ -67,6 +68,16 @@ def tell():
     expect(frames.settle(3 * story.PATIENCE, 2), "rendering ends")
     expect(any(line.startswith("core ") and line.endswith(" (target 95.5 %)")
                for line in text_of(view)), "the view says so, too")
+    traced = smtrace.stop_trace().replace("\n", " ")
+    expect("['1', 'rim', '0.4', '', '2', 'label 2', '0.4', ''" in " ".join(traced.split()),
+           "the trace has the table")
+    filter_ = simple.ExtinctionOptimizer(Input=source)
+    filter_.StructureArray = ["POINTS", "Labels"]
+    simple.SetActiveSource(filter_)
+    yield
+    expect(len(list(filter_.Structures)) == 0, "a filter waits for Apply")
+    yield
+    expect_column(filter_, 1, ["rim", "label 2", "core"], "the table of a filter is applied")
 
 
 story.begin(tell())

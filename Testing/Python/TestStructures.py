@@ -14,6 +14,7 @@ from limpid.vtkLimpidFilters import vtkExtinctionOptimizer, vtkViewpointSearch
 
 from images import FilterTest, filter_on, image_of, phantom, values
 from mapper_tests import MapperTest, show
+from volume_views import actor_of, sphere
 
 SINGLE = float(np.finfo(np.float32).eps)
 LABELS = 3  # input array of the labels
@@ -480,6 +481,46 @@ class TestSharesOfMapper(MapperTest):
         view.window.RemoveObserver(abort)
         view.window.Render()
         self.assertIn("Visible", columns_of(mapper.GetStructureTable()))
+
+    def test_behind_opaque_geometry_are_hidden(self):
+        view, mapper = self.show()
+        view.window.Render()
+        free = columns_of(mapper.GetStructureTable())
+        middle = np.array(layered_phantom().GetCenter())
+        eye = np.array(view.renderer.GetActiveCamera().GetPosition())
+        wall = actor_of(sphere(middle + 0.65 * (eye - middle), 0.3 * np.linalg.norm(eye - middle)))
+        view.renderer.AddActor(wall)
+        view.window.Render()
+        self.assertFalse(mapper.GetStructuresMeasured())
+        hidden = columns_of(mapper.GetStructureTable())
+
+        for name in ("Visible", "BaseVisible", "Attainable"):
+            self.assertTrue((vtk_to_numpy(free[name]) > 0.01).all())
+            self.assertEqual(vtk_to_numpy(hidden[name]).max(), 0)
+        self.assertAlmostEqual(mapper.GetVisibleFraction(), 0)
+        np.testing.assert_array_equal(vtk_to_numpy(hidden["Removed"]),
+                                      vtk_to_numpy(free["Removed"]))
+        np.testing.assert_allclose(vtk_to_numpy(hidden["HiddenByOther"]),
+                                   1 - vtk_to_numpy(free["Removed"]), atol=1e-9)
+        view.renderer.RemoveActor(wall)
+        view.window.Render()
+        self.assertEqual(columns_of(mapper.GetStructureTable())["Visible"].GetTuple1(0),
+                         free["Visible"].GetTuple1(0))
+
+    def test_half_behind_opaque_geometry_are_as_the_score_says(self):
+        view, mapper = self.show()
+        mapper.RemoveAllStructures()
+        mapper.AddStructure(65535, "core", 1.0)
+        middle = np.array(layered_phantom().GetCenter())
+        view.renderer.AddActor(actor_of(sphere(middle + [0.35, 0, 0], 0.3)))
+        view.window.Render()
+        columns = columns_of(mapper.GetStructureTable())
+
+        for column, share in (("Visible", mapper.GetVisibleFraction()),
+                              ("BaseVisible", mapper.GetBaseVisibleFraction()),
+                              ("Attainable", mapper.GetAttainableFraction())):
+            # Points are in front or behind; in the score, those at the edge are partly so.
+            self.assertAlmostEqual(columns[column].GetTuple1(0) / share, 1, delta=0.05)
 
     def test_need_structures(self):
         view, mapper = show()

@@ -504,8 +504,46 @@ Ceiling Progressive::CeilingFrom(const Camera& camera, const OpaqueGeometry* opa
     [] {});
 }
 
+namespace
+{
+/// Returns the rows of the nodes in front of opaque geometry, and 0 behind it.
+std::vector<StructureRow> RowsInFront(
+  const Grid& grid, const StructureRow* rows, const OpaqueGeometry& opaque)
+{
+  const std::vector<float> all(static_cast<std::size_t>(grid.NodeCount()), 1.0f);
+  const std::vector<float> shares = opaque.InFront(grid, all.data());
+  std::vector<StructureRow> inFront(shares.size());
+  std::transform(shares.begin(), shares.end(), rows, inFront.begin(),
+    [](float share, StructureRow row) { return share >= 0.5f ? row : StructureRow(0); });
+  return inFront;
+}
+
+/// Returns what is seen in front of opaque geometry, as shares of all that the data have. What is
+/// behind it is hidden by something else than structures, unless it was removed.
+StructureShares AsSharesOfAll(const StructureShares& inFront, const StructureShares& all)
+{
+  const double share = all.important > 0 ? inFront.important / all.important : 0.0;
+  StructureShares result = all;
+  result.visible = inFront.visible * share;
+  result.baseVisible = inFront.baseVisible * share;
+  result.attainable = inFront.attainable * share;
+  double others = 1 - result.visible - result.removed;
+  for (std::size_t by = 1; by < result.hiddenBy.size(); ++by)
+  {
+    result.hiddenBy[by] = inFront.hiddenBy[by] * share;
+    others -= result.hiddenBy[by];
+  }
+  if (!result.hiddenBy.empty())
+  {
+    result.hiddenBy[0] = all.important > 0 ? std::max(others, 0.0) : 0.0;
+  }
+  return result;
+}
+}
+
 std::vector<StructureShares> Progressive::SharesFrom(const Camera& camera,
-  const Structures& structures, const StructureRow* rows, const float* extinction) const
+  const Structures& structures, const StructureRow* rows, const float* extinction,
+  const OpaqueGeometry* opaque) const
 {
   const Internals& state = *this->State;
   if (state.shown == Shown::Preview)
@@ -514,8 +552,19 @@ std::vector<StructureShares> Progressive::SharesFrom(const Camera& camera,
   }
   Settings settings = state.settings;
   settings.otherCameras.clear();
-  return SharesOfStructures(
-    *state.scene, camera, state.light, settings, structures, rows, extinction);
+  const auto sharesOf = [&](const StructureRow* present)
+  {
+    return SharesOfStructures(
+      *state.scene, camera, state.light, settings, structures, present, extinction);
+  };
+  std::vector<StructureShares> shares = sharesOf(rows);
+  if (opaque)
+  {
+    const std::vector<StructureShares> inFront =
+      sharesOf(RowsInFront(state.scene->ArrayGrid(), rows, *opaque).data());
+    std::transform(inFront.begin(), inFront.end(), shares.begin(), shares.begin(), AsSharesOfAll);
+  }
+  return shares;
 }
 
 int Progressive::Iterations() const

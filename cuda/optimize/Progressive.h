@@ -112,10 +112,12 @@ public:
   Ceiling CeilingFrom(const Camera& camera, const OpaqueGeometry* opaque = nullptr) const;
 
   /// Returns what a camera sees of each structure, see SharesOfStructures. `rows`: row of the
-  /// structure of each node; `extinction`: BaseExtinction() or Extinction(). Empty while a preview
-  /// is shown, which has other nodes. Not in distributed runs.
+  /// structure of each node; `extinction`: BaseExtinction() or Extinction(). `opaque`: as in
+  /// ScoresFrom, but shares are of all that the data have. Empty while a preview is shown, which
+  /// has other nodes. Not in distributed runs.
   std::vector<StructureShares> SharesFrom(const Camera& camera, const Structures& structures,
-    const StructureRow* rows, const float* extinction) const;
+    const StructureRow* rows, const float* extinction,
+    const OpaqueGeometry* opaque = nullptr) const;
 
   int Iterations() const; ///< at full resolution, for the current view
   std::string BackendName() const;
