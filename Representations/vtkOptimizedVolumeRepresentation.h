@@ -223,6 +223,12 @@ public:
   ///@}
 
   /**
+   * Returns the row of the structure that the last picture shows most at a place of the view, in
+   * [0, 1] from its lower left corner; -1 if there is none.
+   */
+  int PickStructure(double x, double y);
+
+  /**
    * What could not be drawn as requested in the last picture, and what to do about it, one per
    * line. Empty if there is nothing.
    */

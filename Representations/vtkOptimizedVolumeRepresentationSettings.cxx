@@ -136,6 +136,12 @@ void vtkOptimizedVolumeRepresentation::MeasureStructures()
   }
 }
 
+int vtkOptimizedVolumeRepresentation::PickStructure(double x, double y)
+{
+  return this->State->Mapper->HasDrawn ? static_cast<int>(this->State->Mapper->PickStructure(x, y))
+                                       : -1;
+}
+
 int vtkOptimizedVolumeRepresentation::GetStructuresMeasured()
 {
   return !this->State->Mapper->HasDrawn || this->State->Mapper->GetStructuresMeasured() ? 1 : 0;

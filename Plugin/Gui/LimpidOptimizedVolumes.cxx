@@ -91,6 +91,18 @@ void MeasureStructures(vtkSMProxy* volume)
   Ask(volume, "MeasureStructures", vtkPVSession::RENDER_SERVER_ROOT, true);
 }
 
+int PickStructure(vtkSMProxy* volume, double x, double y)
+{
+  vtkClientServerStream stream;
+  stream << vtkClientServerStream::Invoke << VTKOBJECT(volume) << "PickStructure" << x << y
+         << vtkClientServerStream::End;
+  vtkSMSession* session = volume->GetSession();
+  session->ExecuteStream(vtkPVSession::RENDER_SERVER_ROOT, stream);
+  int row = -1;
+  session->GetLastResult(vtkPVSession::RENDER_SERVER_ROOT).GetArgument(0, 0, &row);
+  return row;
+}
+
 bool PrepareOriginal(vtkSMProxy* volume)
 {
   return Ask(volume, "PrepareOriginal", vtkPVSession::RENDER_SERVER, false);

@@ -46,6 +46,10 @@ bool AreStructuresMeasured(vtkSMProxy* volume);
 /// Measures that, on the process that draws. It may take as long as the picture.
 void MeasureStructures(vtkSMProxy* volume);
 
+/// Returns the row of the structure that is seen at a place of the view, in [0, 1] from its lower
+/// left corner; -1: none.
+int PickStructure(vtkSMProxy* volume, double x, double y);
+
 /// Computes a part of the unoptimized picture of a finished view, on all processes. Returns whether
 /// work is left.
 bool PrepareOriginal(vtkSMProxy* volume);

@@ -3,13 +3,18 @@
 #include "LimpidStructures.h"
 
 #include "LimpidLabels.h"
+#include "LimpidOptimizedVolumes.h"
 #include "StructureTableFile.h"
 
 #include "pqCoreUtilities.h"
+#include "pqView.h"
 #include "vtkCommand.h"
+#include "vtkEventQtSlotConnect.h"
+#include "vtkRenderWindowInteractor.h"
 #include "vtkSMProperty.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMProxy.h"
+#include "vtkSMRenderViewProxy.h"
 
 #include <QDoubleSpinBox>
 #include <QFileDialog>
@@ -22,6 +27,7 @@
 #include <QTableView>
 #include <QVBoxLayout>
 
+#include <algorithm>
 #include <exception>
 
 namespace
@@ -78,6 +84,7 @@ LimpidStructures::LimpidStructures(
   , Sorted(new QSortFilterProxyModel(this))
   , Table(new StructureTable(this))
   , Hint(new QLabel(this))
+  , Volume(structures->GetParent())
 {
   this->setShowLabel(false);
   this->createTable();
@@ -114,6 +121,7 @@ LimpidStructures::LimpidStructures(
   {
     pqCoreUtilities::connect(shares, vtkCommand::ModifiedEvent, this, SLOT(followShares()));
     this->followShares();
+    this->connect(this, &pqPropertyWidget::viewChanged, this, &LimpidStructures::watchView);
   }
 }
 
@@ -198,6 +206,51 @@ void LimpidStructures::takeEdit(int row, int column)
 void LimpidStructures::followShares()
 {
   this->Model->setShares(vtkSMPropertyHelper(this->proxy(), "StructureShares").GetDoubleArray());
+}
+
+// Returns what gets the mouse's events in the view; null: none.
+vtkRenderWindowInteractor* LimpidStructures::interactor() const
+{
+  auto* view =
+    this->view() ? vtkSMRenderViewProxy::SafeDownCast(this->view()->getProxy()) : nullptr;
+  return view ? view->GetInteractor() : nullptr;
+}
+
+void LimpidStructures::watchView(pqView*)
+{
+  this->Clicks->Disconnect();
+  if (vtkRenderWindowInteractor* mouse = this->interactor())
+  {
+    constexpr float first = 1; // a priority above that of ParaView's own observer
+    this->Clicks->Connect(
+      mouse, vtkCommand::LeftButtonPressEvent, this, SLOT(beginClick()), nullptr, first);
+    this->Clicks->Connect(
+      mouse, vtkCommand::LeftButtonReleaseEvent, this, SLOT(endClick()), nullptr, first);
+  }
+}
+
+void LimpidStructures::beginClick()
+{
+  std::copy_n(this->interactor()->GetEventPosition(), 2, this->ClickBegan.begin());
+}
+
+// Selects the row of the structure under the mouse, unless it was moved.
+void LimpidStructures::endClick()
+{
+  const int* place = this->interactor()->GetEventPosition();
+  const int* size = this->interactor()->GetSize();
+  if (!this->isVisible() || !std::equal(this->ClickBegan.begin(), this->ClickBegan.end(), place))
+  {
+    return;
+  }
+  const int row =
+    PickStructure(this->Volume, (place[0] + 0.5) / size[0], (place[1] + 0.5) / size[1]);
+  if (row >= 0 && row < this->Model->rowCount())
+  {
+    const QModelIndex index = this->Sorted->mapFromSource(this->Model->index(row, 0));
+    this->Table->selectRow(index.row());
+    this->Table->scrollTo(index);
+  }
 }
 
 void LimpidStructures::setAllImportant(bool important)

@@ -8,8 +8,8 @@
  * For the property Structures, with panel_widget="LimpidStructures": a LimpidStructureModel, of
  * which a change of one selected row changes all selected ones, and buttons that fill it from the
  * labels in the data or name them from a file. Of a display it also has what the last picture shows
- * of each structure (StructureShares). It only sets the property, so that undo, trace and state
- * contain all changes.
+ * of each structure (StructureShares), and a click in the view selects the row of the structure
+ * that is seen there. It only sets the property, so that undo, trace and state contain all changes.
  */
 
 #ifndef LimpidStructures_h
@@ -17,12 +17,17 @@
 
 #include "LimpidStructureModel.h"
 #include "pqPropertyWidget.h"
+#include "vtkNew.h"
 
 #include <QSortFilterProxyModel>
+
+#include <array>
 
 class QLabel;
 class QPushButton;
 class QTableView;
+class vtkEventQtSlotConnect;
+class vtkRenderWindowInteractor;
 
 class LimpidStructures : public pqPropertyWidget
 {
@@ -43,6 +48,9 @@ private Q_SLOTS:
   void followShares();
   void fillFromData();
   void loadNames();
+  void watchView(pqView* view);
+  void beginClick(); // events of the view's interactor
+  void endClick();
 
 private:
   void createTable();
@@ -50,11 +58,15 @@ private:
   void setAllImportant(bool important);
   void change();
   void setHint(const QString& text);
+  vtkRenderWindowInteractor* interactor() const;
 
   LimpidStructureModel* Model;
   QSortFilterProxyModel* Sorted;
   QTableView* Table;
-  QLabel* Hint; // what to do, or what was wrong
+  QLabel* Hint;       // what to do, or what was wrong
+  vtkSMProxy* Volume; // owner of the property, which a display exposes
+  vtkNew<vtkEventQtSlotConnect> Clicks;
+  std::array<int, 2> ClickBegan{}; // where the mouse was pressed [pixels]
 };
 
 #endif

@@ -3,6 +3,7 @@
 
 #include "ViewOptimization.h"
 
+#include "PickedStructure.h"
 #include "ViewGeometry.h"
 
 #include "backend/Interruption.h"
@@ -339,6 +340,19 @@ const std::vector<StructureShares>* ViewOptimization::SharesOfStructures(const L
   const bool isCurrent = known && AreSame(look.camera, known->look.camera) &&
     look.opaque == known->look.opaque && known->version == this->Changes;
   return isCurrent ? &known->shares : nullptr;
+}
+
+StructureRow ViewOptimization::PickStructure(
+  const Vec3& begin, const Vec3& end, bool optimized, const VolumeData& data) const
+{
+  const bool fits = this->Optimizer && this->SceneVersion == data.SceneVersion() &&
+    this->Optimizer->ShownGrid().nodes == data.Whole().nodes;
+  if (!fits || !data.Labelled())
+  {
+    return 0;
+  }
+  return PickedStructure(data.Whole(), data.StructureRows(),
+    optimized ? this->Optimizer->Extinction() : this->Optimizer->BaseExtinction(), begin, end);
 }
 
 void ViewOptimization::ShowBase(const FrameSettings& frame, const VolumeData& data)

@@ -58,6 +58,11 @@ public:
   /// Returns what MeasureStructures has found, unless the result has changed; null: nothing.
   const std::vector<StructureShares>* SharesOfStructures(const Look& look) const;
 
+  /// Returns the row of the structure of the data that is seen along a ray between two points
+  /// in data coordinates, see PickedStructure; 0: none, or unknown.
+  StructureRow PickStructure(
+    const Vec3& begin, const Vec3& end, bool optimized, const VolumeData& data) const;
+
   /// Shows the extinction of the transfer functions. The result is kept, and the next optimised
   /// frame shows it at once.
   void ShowBase(const FrameSettings& frame, const VolumeData& data);

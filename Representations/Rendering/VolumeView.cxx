@@ -373,6 +373,20 @@ const std::vector<StructureShares>* VolumeView::SharesOfStructures() const
   return this->Geometry ? this->Optimization.SharesOfStructures(this->LastLook()) : nullptr;
 }
 
+StructureRow VolumeView::PickStructure(double x, double y, const VolumeData& data) const
+{
+  if (!this->Geometry || !this->LastResult.measured)
+  {
+    return 0;
+  }
+  const auto at = [&](double z)
+  {
+    const glm::dvec4 place = this->Geometry->clipToData * glm::dvec4(2 * x - 1, 2 * y - 1, z, 1);
+    return Vec3(place) / place.w;
+  };
+  return this->Optimization.PickStructure(at(-1), at(1), this->LastResult.optimized, data);
+}
+
 void VolumeView::Reset()
 {
   if (this->IsDrawing)

@@ -79,6 +79,10 @@ public:
   /// null: nothing.
   const std::vector<StructureShares>* SharesOfStructures() const;
 
+  /// Returns the row of the structure that the last frame shows most at a place of the renderer, in
+  /// [0, 1] from its lower left corner; 0: none, or unknown. Not in distributed runs.
+  StructureRow PickStructure(double x, double y, const VolumeData& data) const;
+
   /// Draws the visible pixels of the last frame in one colour, for a selection.
   void DrawMask(const float color[3]);
 

@@ -177,6 +177,12 @@ bool vtkTransmittanceVolumeMapper::GetStructuresMeasured() const
   return !this->State->CanMeasureStructures() || this->State->Shown->SharesOfStructures();
 }
 
+vtkIdType vtkTransmittanceVolumeMapper::PickStructure(double x, double y) const
+{
+  const bool canPick = this->State->Shown && this->State->Ranks->IsAlone();
+  return canPick ? vtkIdType(this->State->Shown->PickStructure(x, y, this->State->Data)) - 1 : -1;
+}
+
 bool vtkTransmittanceVolumeMapper::GetConverged() const
 {
   return this->State->Last.converged;

@@ -466,8 +466,8 @@ public:
    * What the camera of the last frame sees of each structure: the third output of
    * vtkExtinctionOptimizer, see there, for this camera and, of several, only for it. It has no
    * shares until the frame has converged; then the first call computes them, which takes about ten
-   * times as long as a score and may be aborted like a frame. With opaque geometry, which hides what
-   * is behind it, it takes twice as long. With SharesImage, there are no shares in several
+   * times as long as a score and may be aborted like a frame. With opaque geometry, which hides
+   * what is behind it, it takes twice as long. With SharesImage, there are no shares in several
    * processes. Without a structure array, the table is empty.
    */
   vtkTable* GetStructureTable();
@@ -480,6 +480,13 @@ public:
   vtkTable* GetKnownStructureTable();
   bool GetStructuresMeasured() const;
   ///@}
+
+  /**
+   * Returns the row in that table, from 0 on, of the structure that the last frame shows most at a
+   * place of its renderer, in [0, 1] from the lower left corner; -1 if there is none. Opaque
+   * geometry is ignored. With SharesImage, it is -1 in several processes.
+   */
+  vtkIdType PickStructure(double x, double y) const;
 
   /**
    * Tells the mapper that nothing is shown: scores and fractions are zero until the next frame. For

@@ -6,8 +6,10 @@
 # finished, the table and the view say what is seen. A filter has such a table, too.
 # TestStructures.xml has the events between the stages.
 
+import numpy as np
 import story
 from paraview import simple, smtrace
+from paraview.vtk.util.numpy_support import vtk_to_numpy
 from story import expect
 
 
@@ -23,6 +25,22 @@ def column(display, number):
 def expect_column(display, number, expected, what):
     found = column(display, number)
     expect(found == expected, f"{what}: {found}")
+
+
+def place_of_core(view, source):
+    """Pixels from the lower left corner."""
+    image = simple.servermanager.Fetch(source)
+    labels = vtk_to_numpy(image.GetPointData().GetArray("Labels"))
+    core = np.mean([image.GetPoint(i) for i in np.flatnonzero(labels == 3)], axis=0)
+    place = story.place_in_window(view, [core])[:, 0]
+    return [int(pixel) for pixel in (place + 1) / 2 * view.ViewSize]
+
+
+def click(view, x, y):
+    interactor = view.GetInteractor()
+    interactor.SetEventInformation(x, y, 0, 0)
+    interactor.InvokeEvent("LeftButtonPressEvent")
+    interactor.InvokeEvent("LeftButtonReleaseEvent")
 
 
 def tell():
@@ -68,8 +86,12 @@ def tell():
     expect(frames.settle(3 * story.PATIENCE, 2), "rendering ends")
     expect(any(line.startswith("core ") and line.endswith(" (target 95.5 %)")
                for line in text_of(view)), "the view says so, too")
+    yield
+    click(view, *place_of_core(view, source))
+    yield
+    expect_column(display, 2, ["0.4", "0.6", "1"], "a click in the view had selected another row")
     traced = smtrace.stop_trace().replace("\n", " ")
-    expect("['1', 'rim', '0.4', '', '2', 'label 2', '0.4', ''" in " ".join(traced.split()),
+    expect("['1', 'rim', '0.4', '', '2', 'label 2', '0.6', ''" in " ".join(traced.split()),
            "the trace has the table")
     filter_ = simple.ExtinctionOptimizer(Input=source)
     filter_.StructureArray = ["POINTS", "Labels"]

@@ -14,7 +14,7 @@ from limpid.vtkLimpidFilters import vtkExtinctionOptimizer, vtkViewpointSearch
 
 from images import FilterTest, filter_on, image_of, phantom, values
 from mapper_tests import MapperTest, show
-from volume_views import actor_of, sphere
+from volume_views import actor_of, gray_property, sphere
 
 SINGLE = float(np.finfo(np.float32).eps)
 LABELS = 3  # input array of the labels
@@ -521,6 +521,32 @@ class TestSharesOfMapper(MapperTest):
                               ("Attainable", mapper.GetAttainableFraction())):
             # Points are in front or behind; in the score, those at the edge are partly so.
             self.assertAlmostEqual(columns[column].GetTuple1(0) / share, 1, delta=0.05)
+
+    def test_are_picked_where_they_are_seen(self):
+        labels = np.ones((12, 12, 12), int)
+        labels[6:] += 1
+        labels[:, :, 6:] += 2
+        labels[:, 8:] = 9  # behind them
+        image = labelled(labels)
+        image.GetPointData().SetActiveScalars("BaseExtinction")
+        view, mapper = show(image, gray_property())
+        mapper.SetInputArrayToProcess(LABELS, 0, 0, POINTS, "Labels")
+        for label in (9, 1, 2, 3, 4):
+            mapper.AddStructure(label, f"structure {label}", 0.5)
+        self.assertEqual(mapper.PickStructure(0.5, 0.5), -1)  # there is no picture yet
+        camera = view.renderer.GetActiveCamera()
+        camera.SetPosition(5.5, -40, 5.5)
+        camera.SetFocalPoint(5.5, 5.5, 5.5)
+        camera.SetViewUp(0, 0, 1)
+        view.renderer.ResetCameraClippingRange()
+        view.window.Render()
+
+        for x, z, row in ((3, 3, 1), (8, 3, 2), (3, 8, 3), (8, 8, 4)):
+            view.renderer.SetWorldPoint(x, 0, z, 1)
+            view.renderer.WorldToView()
+            right, up, _ = view.renderer.GetViewPoint()
+            self.assertEqual(mapper.PickStructure((right + 1) / 2, (up + 1) / 2), row)
+        self.assertEqual(mapper.PickStructure(0.02, 0.5), -1)  # beside the volume
 
     def test_need_structures(self):
         view, mapper = show()
