@@ -11,7 +11,7 @@
 #include "math/PercentText.h"
 
 #include <algorithm>
-#include <numeric>
+#include <sstream>
 #include <vector>
 
 namespace limpid

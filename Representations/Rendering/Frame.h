@@ -82,6 +82,7 @@ struct FrameResult
   int iterations = 0;
   std::string light;
   std::string backend;
+  std::string warning; ///< about targets that are not met; may be empty
 };
 
 /// Messages about a frame that was drawn in spite of them.

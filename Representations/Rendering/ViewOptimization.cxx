@@ -38,6 +38,7 @@ void ViewOptimization::TakeScene(const FrameSettings& frame, const VolumeData& d
   this->Front.reset();
   this->OfStructures = {};
   this->Base = nullptr;
+  this->Targets.TakeStructures(data);
   auto optimizer = std::make_unique<Progressive>(data.Scene(), frame.solver);
   optimizer->GoOnFrom(shown);
   this->Optimizer = std::move(optimizer);
@@ -63,7 +64,8 @@ bool ViewOptimization::TakeView(const FrameSettings& frame, const Camera& camera
   const bool hasLight = frame.light.found && !goesRound;
   const bool same = this->HasView && AreSame(cameras, this->ViewCameras) &&
     (AreSame(light, this->ViewLight) || !hasLight);
-  if (!keeps && !same)
+  const bool isOther = !keeps && !same;
+  if (isOther)
   {
     this->ViewCameras = cameras;
     this->ViewLight = light;
@@ -78,6 +80,10 @@ bool ViewOptimization::TakeView(const FrameSettings& frame, const Camera& camera
   {
     settings.maximumIterations = 0;
     settings.iterationsPerLevel = { { 0, 0, 0 } };
+  }
+  else
+  {
+    settings = isOther ? this->Targets.TakeSettings(settings) : this->Targets.SettingsFor(settings);
   }
   this->Optimizer->SetView(this->ViewCameras.front(), this->ViewLight, settings);
   return true;
@@ -108,11 +114,42 @@ bool ViewOptimization::EasesFromCarried(const FrameSettings& frame)
   return this->Optimizer->ShowsFound();
 }
 
-// Runs the optimiser as long as the frame's time allows. Returns whether it did anything.
-bool ViewOptimization::Work(
-  const FrameSettings& frame, const FrameClock& clock, const std::function<bool()>& isAborted)
+// Returns whether nothing is left to do for the view.
+bool ViewOptimization::IsComplete() const
 {
-  if (this->Optimizer->Converged())
+  return this->Optimizer->Converged() && (this->IsBaseView || !this->Targets.AreOpen());
+}
+
+// Judges a complete result by the targets of structures. Returns whether the optimisation begins
+// again, with other importances; the result stays shown until there is a new one.
+bool ViewOptimization::TriesOtherImportances(const VolumeData& data,
+  const std::optional<OpaqueGeometry>& opaque, const std::function<bool()>& isAborted)
+{
+  const Interruptible interruptible([&isAborted]() { return !isAborted(); });
+  if (!this->Targets.Judge(this->Optimizer->SharesFrom(this->ViewCameras.front(), *data.Labelled(),
+        data.StructureRows(), this->Optimizer->Extinction(), opaque ? &*opaque : nullptr)))
+  {
+    return false;
+  }
+  CarriedChange shown = this->Optimizer->Change();
+  shown.likeness = 0;
+  this->Optimizer.reset();
+  const Settings settings = this->Targets.TriedSettings();
+  this->Optimizer = std::make_unique<Progressive>(this->Targets.Scene(data), settings);
+  this->Optimizer->GoOnFrom(shown);
+  this->Optimizer->SetView(this->ViewCameras.front(), this->ViewLight, settings);
+  this->Most.reset();
+  this->Front.reset();
+  this->Elsewhere.reset();
+  return true;
+}
+
+// Runs the optimiser as long as the frame's time allows. Returns whether it did anything.
+bool ViewOptimization::Work(const FrameSettings& frame, const VolumeData& data,
+  const std::optional<OpaqueGeometry>& opaque, const FrameClock& clock,
+  const std::function<bool()>& isAborted)
+{
+  if (this->IsComplete())
   {
     return false;
   }
@@ -125,7 +162,8 @@ bool ViewOptimization::Work(
   bool goOn = true;
   while (goOn)
   {
-    const bool done = this->Refine(isAborted);
+    const bool done = (this->Optimizer->Converged() || this->Refine(isAborted)) &&
+      (this->IsComplete() || !this->TriesOtherImportances(data, opaque, isAborted));
     const bool outOfTime = frame.stepwise && frame.AnyRank(clock.Seconds() > until);
     goOn = !done && !outOfTime && !isAborted();
   }
@@ -283,7 +321,7 @@ void ViewOptimization::Advance(const FrameSettings& frame, const VolumeData& dat
   const bool goesOn = !carries || this->EasesFromCarried(frame);
   if (!frozen)
   {
-    changed = this->Work(frame, clock, isAborted) || changed;
+    changed = this->Work(frame, data, opaque, clock, isAborted) || changed;
     this->Optimizer->ShowNoLessThanBase();
   }
   this->Changes += changed ? 1 : 0;
@@ -301,8 +339,8 @@ void ViewOptimization::Advance(const FrameSettings& frame, const VolumeData& dat
   result.iterations = this->Optimizer->Iterations();
   result.settled = this->Optimizer->Settled();
   result.backend = this->Optimizer->BackendName();
-  result.converged =
-    frame.still && (frozen || this->Optimizer->Converged()) && this->Remaining == 0;
+  result.converged = frame.still && (frozen || this->IsComplete()) && this->Remaining == 0;
+  result.warning = frame.optimize ? this->Targets.Warning() : "";
   if (frame.optimize && result.converged)
   {
     result.ceiling = this->FindCeiling(frame, camera, opaque, result.score);
@@ -324,8 +362,9 @@ void ViewOptimization::MeasureStructures(
   known = { look, this->Changes, {} }; // what is impossible is not tried again
   try
   {
-    known->shares = this->Optimizer->SharesFrom(look.camera, *data.Labelled(), data.StructureRows(),
-      seen, look.opaque ? &*look.opaque : nullptr);
+    const Structures* tried = this->Targets.Tried();
+    known->shares = this->Optimizer->SharesFrom(look.camera, tried ? *tried : *data.Labelled(),
+      data.StructureRows(), seen, look.opaque ? &*look.opaque : nullptr);
   }
   catch (const Interrupted&)
   {

@@ -7,6 +7,7 @@
 #define limpid_ViewOptimization_h
 
 #include "Frame.h"
+#include "ViewTargets.h"
 #include "VolumeData.h"
 
 #include "optimize/Progressive.h"
@@ -58,6 +59,9 @@ public:
   /// Returns what MeasureStructures has found, unless the result has changed; null: nothing.
   const std::vector<StructureShares>* SharesOfStructures(const Look& look) const;
 
+  /// Returns the structures with the importances of the result; null: those given are.
+  const Structures* TriedStructures() const { return this->Targets.Tried(); }
+
   /// Returns the row of the structure of the data that is seen along a ray between two points
   /// in data coordinates, see PickedStructure; 0: none, or unknown.
   StructureRow PickStructure(
@@ -96,8 +100,12 @@ private:
   bool TakeView(const FrameSettings& frame, const Camera& camera);
   bool Refine(const std::function<bool()>& isAborted);
   bool EasesFromCarried(const FrameSettings& frame);
-  bool Work(
-    const FrameSettings& frame, const FrameClock& clock, const std::function<bool()>& isAborted);
+  bool IsComplete() const;
+  bool TriesOtherImportances(const VolumeData& data, const std::optional<OpaqueGeometry>& opaque,
+    const std::function<bool()>& isAborted);
+  bool Work(const FrameSettings& frame, const VolumeData& data,
+    const std::optional<OpaqueGeometry>& opaque, const FrameClock& clock,
+    const std::function<bool()>& isAborted);
   void Show(const FrameSettings& frame, double seconds, bool changed, bool mayEase);
   void SetFound(double share);
   Scores Measure(const FrameSettings& frame, const Camera& camera, bool changed);
@@ -107,6 +115,7 @@ private:
     const std::optional<OpaqueGeometry>& opaque, const Score& found);
 
   Renderer& Pictures;
+  ViewTargets Targets; ///< has the importance of the optimiser's scene
   std::unique_ptr<Progressive> Optimizer;
   DrawnPart Part;                      ///< of its scene
   vtkSmartPointer<vtkFloatArray> Base; ///< base extinction of the optimisation

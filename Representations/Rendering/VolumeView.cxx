@@ -312,6 +312,10 @@ void VolumeView::PrepareFrame(const FrameSettings& frame, const VolumeData& data
   try
   {
     this->Optimize(frame, data, geometry, isAborted, messages, result);
+    if (!result.warning.empty())
+    {
+      messages.warnings.push_back(result.warning);
+    }
     // While work is left, the next frame follows immediately.
     this->GoesOn = frame.still && frame.stepwise && !result.converged;
     const bool fine = frame.still && !this->GoesOn;
@@ -371,6 +375,11 @@ void VolumeView::MeasureStructures(const VolumeData& data)
 const std::vector<StructureShares>* VolumeView::SharesOfStructures() const
 {
   return this->Geometry ? this->Optimization.SharesOfStructures(this->LastLook()) : nullptr;
+}
+
+const Structures* VolumeView::TriedStructures() const
+{
+  return this->LastResult.optimized ? this->Optimization.TriedStructures() : nullptr;
 }
 
 StructureRow VolumeView::PickStructure(double x, double y, const VolumeData& data) const

@@ -79,6 +79,9 @@ public:
   /// null: nothing.
   const std::vector<StructureShares>* SharesOfStructures() const;
 
+  /// Returns the structures with the importances of the last frame; null: those given are.
+  const Structures* TriedStructures() const;
+
   /// Returns the row of the structure that the last frame shows most at a place of the renderer, in
   /// [0, 1] from its lower left corner; 0: none, or unknown. Not in distributed runs.
   StructureRow PickStructure(double x, double y, const VolumeData& data) const;

@@ -326,7 +326,8 @@ vtkTable* vtkTransmittanceVolumeMapper::Internals::KnownStructures()
   {
     const std::vector<limpid::StructureShares>* shares =
       this->CanMeasureStructures() ? this->Shown->SharesOfStructures() : nullptr;
-    limpid::TargetsFound found{ *structures, {}, {}, {} };
+    const limpid::Structures* tried = this->Shown ? this->Shown->TriedStructures() : nullptr;
+    limpid::TargetsFound found{ tried ? *tried : *structures, {}, {}, {} };
     found.shares = shares ? *shares : found.shares;
     limpid::FillStructures(*structures, found, this->Structures);
   }

@@ -337,6 +337,13 @@ void vtkTransmittanceVolumeMapper::Internals::LeaveWhatIsNotShared(limpid::Frame
                "distributed runs): missed structures are not shown. Run one process.");
     frame.showMissed = false;
   }
+  const limpid::Structures* structures = this->Data.Labelled();
+  if (frame.optimize && structures && structures->HasTargets())
+  {
+    this->Warn("Structures have targets and several processes share the image (pictures do not aim "
+               "at them in distributed runs): the importances given are used. Use the Extinction "
+               "Optimizer, which aims at them.");
+  }
   if (frame.sampleDistance > limpid::farthestShared)
   {
     this->Warn("SampleDistance is " + std::to_string(frame.sampleDistance) +

@@ -310,7 +310,7 @@ class TestShares(StructuresTest):
         settings = {"ProtectImportance": 0}
         _, before = self.run_filter(**settings)
         wanted = 0.5 * (before["Visible"].GetTuple1(0) + before["Attainable"].GetTuple1(0))
-        output, columns = self.run_filter((3, "rim", 0.25, wanted), *self.GIVEN[1:], **settings)
+        output, columns = self.run_filter((3, "rim", 0.25, wanted), *LAYERS[1:], **settings)
 
         self.assertGreaterEqual(columns["Visible"].GetTuple1(0), wanted - 0.001)
         np.testing.assert_array_equal(vtk_to_numpy(columns["Importance"]), [0.25, 0.5, 1])
@@ -324,14 +324,14 @@ class TestShares(StructuresTest):
     def test_lose_their_protection_where_targets_ask_for_it(self):
         _, before = self.run_filter()
         wanted = before["Visible"].GetTuple1(0) + 0.005
-        _, columns = self.run_filter((3, "rim", 0.25, wanted), *self.GIVEN[1:])
+        _, columns = self.run_filter((3, "rim", 0.25, wanted), *LAYERS[1:])
 
         self.assertGreaterEqual(columns["Visible"].GetTuple1(0), wanted - 0.001)
         self.assertEqual(len(self.warnings), 1)
         self.assertIn("ProtectImportance is not used", self.warnings[0])
 
     def test_above_a_ceiling_are_refused_with_it_and_a_better_view(self):
-        _, columns = self.run_filter((3, "rim", 0.25, 1.0), *self.GIVEN[1:])
+        _, columns = self.run_filter((3, "rim", 0.25, 1.0), *LAYERS[1:])
 
         most = columns["Attainable"].GetTuple1(0)
         self.assertEqual(len(self.warnings), 1)
@@ -407,6 +407,45 @@ class TestSharesOfMapper(MapperTest):
             mapper.AddStructure(*structure)
         return view, mapper
 
+    def test_reach_their_targets(self):
+        view, mapper = self.show(ProtectImportance=0)
+        view.picture()
+        columns = columns_of(mapper.GetStructureTable())
+        before = columns["Visible"].GetTuple1(0)
+        wanted = before + 0.3 * (columns["Attainable"].GetTuple1(0) - before)
+        (label, name, importance), *others = LAYERS
+        mapper.RemoveAllStructures()
+        for structure in ((label, name, importance, wanted), *others):
+            mapper.AddStructure(*structure)
+        view.picture()
+        columns = columns_of(mapper.GetStructureTable())
+
+        self.assertTrue(mapper.GetConverged())
+        self.assertGreaterEqual(columns["Visible"].GetTuple1(0), wanted - 0.001)
+        self.assertEqual(columns["Importance"].GetTuple1(0), importance)
+        weights = vtk_to_numpy(columns["Weight"])
+        self.assertGreater(weights[0] / weights[2], importance / others[1][2])
+        self.assert_fine(view)
+
+        # Another view begins with the importances that were found.
+        camera = view.renderer.GetActiveCamera()
+        camera.Azimuth(5)
+        view.picture()
+        self.assertTrue(mapper.GetConverged())
+        columns = columns_of(mapper.GetStructureTable())
+        self.assertGreaterEqual(columns["Visible"].GetTuple1(0), wanted - 0.001)
+        self.assert_fine(view)
+
+    def test_say_which_targets_are_not_met(self):
+        view, mapper = self.show()
+        mapper.AddStructure(99, "nowhere", 1.0, 0.5)
+        view.picture()
+        self.assert_fine(view)
+        (label, name, importance), *others = LAYERS
+        mapper.RemoveAllStructures()
+        mapper.AddStructure(label, name, importance, 1.0)
+        self.assert_says(view, f'No opacity shows as much of "{name}" from here')
+
     def filtered(self, view):
         """The table of the filter for the camera of a view."""
         camera = view.renderer.GetActiveCamera()
@@ -455,7 +494,7 @@ class TestSharesOfMapper(MapperTest):
         view.window.Render()
         self.assertFalse(mapper.GetConverged())
         columns = columns_of(mapper.GetStructureTable())
-        self.assertEqual(list(columns), ["Label", "Name", "Importance", "Target"])
+        self.assertEqual(list(columns), ["Label", "Name", "Importance", "Target", "Weight"])
 
         self.frames_to_the_end(view, mapper)
         self.assert_same(mapper.GetStructureTable(), self.filtered(view))

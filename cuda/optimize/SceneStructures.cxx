@@ -3,6 +3,7 @@
 
 #include "optimize/SceneStructures.h"
 
+#include "backend/Backend.h"
 #include "scene/FieldView.h"
 
 #include <cstddef>
@@ -29,6 +30,14 @@ void Add(std::vector<StructureShares>& mean, const std::vector<StructureShares>&
     }
   }
 }
+}
+
+void FillImportance(
+  const Structures& structures, const StructureRow* rows, Index count, float* importance)
+{
+  ParallelFor(count, 65536,
+    [&](Index node)
+    { importance[node] = static_cast<float>(structures.ImportanceOf(rows[node])); });
 }
 
 std::vector<StructureShares> SharesOfStructures(PreparedScene& scene, const Camera& camera,

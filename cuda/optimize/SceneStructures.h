@@ -11,6 +11,10 @@
 
 namespace limpid
 {
+/// Sets the importance of `count` nodes to that of their structures. `rows`: see below.
+void FillImportance(
+  const Structures& structures, const StructureRow* rows, Index count, float* importance);
+
 /// Returns what the cameras of a view see of each structure, as the mean over cameras; with the
 /// samples of their scores. `rows`: row of the structure of each node; `extinction`: of the nodes
 /// [1/length]. Costs about as much as ten scores, on the processor. Collective.

@@ -44,6 +44,25 @@ TargetState StateOf(const Structure& structure, const StructureShares& shares)
   return *structure.target > shares.attainable ? TargetState::Refused : TargetState::Missed;
 }
 
+std::string NamesIn(
+  TargetState state, const Structures& structures, const std::vector<StructureShares>& shares)
+{
+  std::string names;
+  for (std::size_t i = 0; i < shares.size(); ++i)
+  {
+    const Structure& structure = structures.At(static_cast<StructureRow>(i + 1));
+    if (StateOf(structure, shares[i]) == state)
+    {
+      names += (names.empty() ? "\"" : ", \"") + structure.NameOrLabel() + "\"";
+    }
+  }
+  return names;
+}
+
+const char* const protectionIsLost =
+  "ProtectImportance is not used (less would be visible of structures with targets). Lower the "
+  "targets to keep important structures whole.";
+
 std::string TextOfTargets(const Structures& structures, const std::vector<StructureShares>& shares)
 {
   std::string text;
@@ -103,16 +122,43 @@ double TargetSearch::ShortfallOf(const std::vector<StructureShares>& shares) con
   return shortfall;
 }
 
-bool TargetSearch::Next(const std::vector<StructureShares>& shares)
+TargetSearch TargetSearch::Again(const Settings& settings) const
+{
+  TargetSearch other(this->Wanted, settings);
+  for (Aim& aim : other.Aims)
+  {
+    aim.importance =
+      this->Excess * this->Now.ImportanceOf(static_cast<StructureRow>(aim.index + 1));
+  }
+  other.Protects = this->Protects;
+  other.Apply();
+  return other;
+}
+
+/// Takes the shares of the first run, of which no target above its ceiling is aimed at.
+void TargetSearch::Begin(const std::vector<StructureShares>& shares)
+{
+  for (const StructureShares& found : shares)
+  {
+    this->Ceilings.push_back(found.attainable);
+  }
+  const auto isRefused = [&shares](const Aim& aim)
+  { return aim.target > shares[aim.index].attainable; };
+  this->Aims.erase(
+    std::remove_if(this->Aims.begin(), this->Aims.end(), isRefused), this->Aims.end());
+  this->Steps = std::make_unique<BroydenSteps>(this->Aims.size());
+}
+
+bool TargetSearch::Next(std::vector<StructureShares>& shares)
 {
   ++this->Runs;
   if (!this->Steps)
   {
-    const auto isRefused = [&shares](const Aim& aim)
-    { return aim.target > shares[aim.index].attainable; };
-    this->Aims.erase(
-      std::remove_if(this->Aims.begin(), this->Aims.end(), isRefused), this->Aims.end());
-    this->Steps = std::make_unique<BroydenSteps>(this->Aims.size());
+    this->Begin(shares);
+  }
+  for (std::size_t i = 0; i < shares.size(); ++i)
+  {
+    shares[i].attainable = std::max(shares[i].attainable, this->Ceilings[i]);
   }
   const double shortfall = this->ShortfallOf(shares);
   if (this->Repeats || shortfall <= tolerance)

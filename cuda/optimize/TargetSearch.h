@@ -28,6 +28,13 @@ enum class TargetState
 
 TargetState StateOf(const Structure& structure, const StructureShares& shares);
 
+/// Returns the names of the structures whose target is in a state, in quotes; may be empty.
+std::string NamesIn(
+  TargetState state, const Structures& structures, const std::vector<StructureShares>& shares);
+
+/// Says that structures have lost their protection.
+extern const char* const protectionIsLost;
+
 /// Returns one line about all targets: "tumour 95.2 % (>= 95.0 %), vessels 58.0 % of at most 61.0 %
 /// (target 60.0 %)". `shares`: of all structures, in the order of their rows.
 std::string TextOfTargets(const Structures& structures, const std::vector<StructureShares>& shares);
@@ -47,6 +54,10 @@ public:
   /// `settings`: those given.
   TargetSearch(const Structures& wanted, const Settings& settings);
 
+  /// Returns a search with other settings or from another camera, which begins with the importances
+  /// tried last.
+  TargetSearch Again(const Settings& settings) const;
+
   /// The structures with the importances to try. At first those given.
   const Structures& Tried() const { return this->Now; }
 
@@ -56,9 +67,10 @@ public:
   /// Whether structures are protected as the settings ask.
   bool KeepsProtection() const { return this->Protects; }
 
-  /// Takes the shares that were found with Tried(), with the ceilings of the first run or higher
-  /// ones. Returns whether to try others; if not, Tried() is the best that was found.
-  bool Next(const std::vector<StructureShares>& shares);
+  /// Takes the shares that were found with Tried(), and raises their ceilings to those of the first
+  /// run: more important structures are protected more, and hide more of themselves. Returns
+  /// whether to try others; if not, Tried() is the best that was found.
+  bool Next(std::vector<StructureShares>& shares);
 
 private:
   /// A structure with a target.
@@ -71,6 +83,7 @@ private:
   };
 
   double ShortfallOf(const std::vector<StructureShares>& shares) const;
+  void Begin(const std::vector<StructureShares>& shares);
   void Ascend(const std::vector<StructureShares>& shares);
   void GoToBest();
   void Apply();
@@ -80,6 +93,7 @@ private:
   Structures Now;
   double Excess = 1; ///< the largest importance to try, at least 1
   std::vector<Aim> Aims;
+  std::vector<double> Ceilings;        ///< of all structures, of the first run
   std::unique_ptr<BroydenSteps> Steps; ///< null before the first
   int Runs = 0;
   int BestRun = 0;

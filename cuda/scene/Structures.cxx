@@ -5,6 +5,7 @@
 
 #include "math/Require.h"
 
+#include <algorithm>
 #include <limits>
 #include <locale>
 #include <set>
@@ -88,6 +89,12 @@ Structures Structures::AnyLabel()
   Structures structures({ { 1, "all labels", 1, {} } });
   structures.IsAny = true;
   return structures;
+}
+
+bool Structures::HasTargets() const
+{
+  return std::any_of(this->All.begin(), this->All.end(),
+    [](const Structure& structure) { return structure.target.has_value(); });
 }
 
 StructureRow Structures::RowOf(std::int64_t label) const

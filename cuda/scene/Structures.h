@@ -43,6 +43,7 @@ public:
   static Structures AnyLabel();
 
   bool HasAnyLabel() const { return this->IsAny; }
+  bool HasTargets() const;
   std::size_t Count() const { return this->All.size(); }
   const Structure& At(StructureRow row) const { return this->All[row - std::size_t(1)]; }
   StructureRow RowOf(std::int64_t label) const;

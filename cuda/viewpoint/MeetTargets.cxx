@@ -5,6 +5,7 @@
 
 #include "backend/Backend.h"
 #include "math/PercentText.h"
+#include "optimize/SceneStructures.h"
 #include "optimize/TargetSearch.h"
 #include "scene/NodeValues.h"
 #include "viewpoint/HighestView.h"
@@ -20,13 +21,6 @@ namespace
 {
 /// Share of the work in runs; the rest is to look from where refused targets could be met.
 constexpr double shareOfRuns = 0.8;
-
-void SetImportance(const LabelledScene& scene, const Structures& structures)
-{
-  ParallelFor(scene.fields.ValueCount(), 65536,
-    [&](Index node)
-    { scene.importance[node] = static_cast<float>(structures.ImportanceOf(scene.rows[node])); });
-}
 
 std::string Rounded(const Vec3& direction)
 {
@@ -83,43 +77,28 @@ std::string RefusalOf(const LabelledScene& scene, StructureRow row, const Struct
                               : "Lower the target.");
 }
 
-/// Raises ceilings to those of the importances given: more important structures are protected more,
-/// and hide more of themselves.
-void RaiseCeilings(const std::vector<StructureShares>& first, std::vector<StructureShares>& shares)
+/// Returns sentences about targets that are not met; may be empty.
+std::string WarningOf(const LabelledScene& scene, const Solver& solver, bool keepsProtection,
+  const TargetsFound& found, const SearchProgress& progress)
 {
-  for (std::size_t i = 0; i < shares.size(); ++i)
-  {
-    shares[i].attainable = std::max(shares[i].attainable, first[i].attainable);
-  }
-}
-
-/// Adds sentences about targets that are not met.
-void WarnOfTargets(const LabelledScene& scene, const Solver& solver, const SearchProgress& progress,
-  TargetsFound& found)
-{
-  std::string missed;
+  std::string warning = keepsProtection ? "" : std::string(protectionIsLost) + "\n";
   for (std::size_t i = 0; i < found.shares.size(); ++i)
   {
     const auto row = static_cast<StructureRow>(i + 1);
-    const Structure& structure = found.structures.At(row);
-    const TargetState state = StateOf(structure, found.shares[i]);
-    if (state == TargetState::Refused)
+    if (StateOf(found.structures.At(row), found.shares[i]) == TargetState::Refused)
     {
-      found.warning += (found.warning.empty() ? "" : "\n") +
-        RefusalOf(scene, row, found.shares[i], solver, progress);
-    }
-    else if (state == TargetState::Missed)
-    {
-      missed += (missed.empty() ? "\"" : ", \"") + structure.NameOrLabel() + "\"";
+      warning += RefusalOf(scene, row, found.shares[i], solver, progress) + "\n";
     }
   }
+  const std::string missed = NamesIn(TargetState::Missed, found.structures, found.shares);
   if (!missed.empty())
   {
-    found.warning += (found.warning.empty() ? "" : "\n") + std::string("Less is visible of ") +
-      missed + " than the targets ask: " + found.text + " (after " + std::to_string(found.runs) +
+    warning += "Less is visible of " + missed + " than the targets ask: " + found.text +
+      " (after " + std::to_string(found.runs) +
       " runs, what one structure gains another loses). Lower one of the targets, or the "
-      "importance of other structures.";
+      "importance of other structures.\n";
   }
+  return warning.substr(0, warning.find_last_not_of('\n') + 1);
 }
 }
 
@@ -128,13 +107,12 @@ TargetsFound MeetTargets(const LabelledScene& scene, const CarriedChange& previo
 {
   TargetSearch search(scene.structures, solver->Options());
   TargetsFound found{ search.Tried(), solver->SharesOf(search.Tried(), scene.rows), {}, {} };
-  const std::vector<StructureShares> first = found.shares;
   const Camera camera = solver->MainCamera();
   const Light light = solver->OnlyLight();
   while (
     InfoOf(solver->Options().method).iterates && !solver->Stopped() && search.Next(found.shares))
   {
-    SetImportance(scene, search.Tried());
+    FillImportance(search.Tried(), scene.rows, scene.fields.ValueCount(), scene.importance);
     const std::string text = TextOfTargets(found.structures, found.shares);
     solver =
       std::make_unique<Solver>(scene.fields, camera, light, search.TriedSettings(), previous);
@@ -146,22 +124,14 @@ TargetsFound MeetTargets(const LabelledScene& scene, const CarriedChange& previo
       });
     found.structures = search.Tried();
     found.shares = solver->SharesOf(search.Tried(), scene.rows);
-    RaiseCeilings(first, found.shares);
     ++found.runs;
   }
   found.text = TextOfTargets(found.structures, found.shares);
-  if (!search.KeepsProtection())
-  {
-    found.warning = "ProtectImportance is not used (less would be visible of structures with "
-                    "targets). Lower the targets to keep important structures whole.";
-  }
   if (!solver->Stopped())
   {
-    WarnOfTargets(
-      scene, *solver,
+    found.warning = WarningOf(scene, *solver, search.KeepsProtection(), found,
       [&progress](double share)
-      { return !progress || progress(shareOfRuns + (1 - shareOfRuns) * share, ""); },
-      found);
+      { return !progress || progress(shareOfRuns + (1 - shareOfRuns) * share, ""); });
   }
   return found;
 }
