@@ -57,11 +57,13 @@ Found Search(const SharedLight& light, const std::vector<Structure>& all)
 {
   TargetSearch search(Structures(all), {});
   int runs = 1;
-  while (search.Next(light.Of(search)))
+  std::vector<StructureShares> shares = light.Of(search);
+  while (search.Next(shares))
   {
+    shares = light.Of(search);
     ++runs;
   }
-  return { light.Of(search), search.Tried(), runs };
+  return { shares, search.Tried(), runs };
 }
 }
 
@@ -90,8 +92,10 @@ TEST(TargetSearch, LowersTheOthersWhereOneIsNotEnough)
 {
   const SharedLight light{ { 0.9, 0.9 } };
   TargetSearch search(Structures({ { 1, "", 1, 0.8 }, { 2, "", 1, {} } }), {});
-  while (search.Next(light.Of(search)))
+  std::vector<StructureShares> shares = light.Of(search);
+  while (search.Next(shares))
   {
+    shares = light.Of(search);
   }
   const Structures& found = search.Tried();
   EXPECT_EQ(found.At(1).importance, 1);
@@ -126,6 +130,22 @@ TEST(TargetSearch, MissesConflictingTargetsByTheSame)
     found.shares[0].visible, 0.55, Relative(0.02, 1, "the search ends when gains are small"));
   EXPECT_WITHIN(
     found.shares[1].visible, 0.45, Relative(0.02, 1, "the search ends when gains are small"));
+}
+
+TEST(TargetSearch, BeginsAgainWhereItEnded)
+{
+  const SharedLight light{ { 0.9, 0.9 } };
+  TargetSearch search(Structures({ { 1, "", 0.2, 0.6 }, { 2, "", 1, {} } }), {});
+  std::vector<StructureShares> shares = light.Of(search);
+  while (search.Next(shares))
+  {
+    shares = light.Of(search);
+  }
+  TargetSearch again = search.Again({});
+  EXPECT_EQ(again.Tried().At(1).importance, search.Tried().At(1).importance);
+  EXPECT_EQ(again.Tried().At(2).importance, search.Tried().At(2).importance);
+  shares = light.Of(again);
+  EXPECT_FALSE(again.Next(shares));
 }
 
 TEST(TargetSearch, TellsWhatIsMetAndWhatIsNot)
