@@ -24,6 +24,7 @@ void Fill(Material& material, const Material& shape, double share)
   material.scalar += share * (shape.scalar - material.scalar);
   material.importance += share * (shape.importance - material.importance);
   material.extinction += share * (shape.extinction - material.extinction);
+  material.structure = share > 0.5 ? shape.structure : material.structure;
 }
 
 double Length(double x, double y, double z)
@@ -121,12 +122,12 @@ double PhantomEdge(double spacing)
 
 Material HeadScene(const PhantomPoint& p, double edge)
 {
-  const Material softTissue{ 0.25, 0, 3.0 };
-  const Material skin{ 0.4, 0, 9.0 };
-  const Material brain{ 0.15, 0, 1.5 };
-  const Material bone{ 0.65, 0.35, 14.0 };
-  const Material vessel{ 0.85, 0.8, 25.0 };
-  const Material tumour{ 1.0, 1.0, 25.0 };
+  const Material softTissue{ 0.25, 0, 3.0, 2 };
+  const Material skin{ 0.4, 0, 9.0, 1 };
+  const Material brain{ 0.15, 0, 1.5, 3 };
+  const Material bone{ 0.65, 0.35, 14.0, 4 };
+  const Material vessel{ 0.85, 0.8, 25.0, 5 };
+  const Material tumour{ 1.0, 1.0, 25.0, 6 };
 
   const double skull = Ellipsoid(p, { 0, 0, 0.08 }, { 0.72, 0.82, 0.8 });
   const double chin = Ellipsoid(p, { 0, -0.25, -0.55 }, { 0.45, 0.48, 0.3 });
@@ -163,10 +164,10 @@ Material FlameScene(const PhantomPoint& p, double edge)
   const double core = std::max(radius - 0.22 * width, top + 0.35);
 
   Material material;
-  Fill(material, { 0.2, 0, 3.0 }, Inside(smoke, 2 * edge));
-  Fill(material, { 0.45, 0, 4.5 }, Inside(gas, 2 * edge));
-  Fill(material, { 0.9, 0.8, 14.0 }, Inside(front, edge));
-  Fill(material, { 1.0, 1.0, 18.0 }, Inside(core, edge));
+  Fill(material, { 0.2, 0, 3.0, 1 }, Inside(smoke, 2 * edge));
+  Fill(material, { 0.45, 0, 4.5, 2 }, Inside(gas, 2 * edge));
+  Fill(material, { 0.9, 0.8, 14.0, 3 }, Inside(front, edge));
+  Fill(material, { 1.0, 1.0, 18.0, 4 }, Inside(core, edge));
   return material;
 }
 
@@ -174,27 +175,27 @@ Material ShellsScene(const PhantomPoint& p, double edge)
 {
   const double radius = Length(p[0], p[1], p[2]);
   Material material;
-  Fill(material, { 0.2, 0, 2.0 }, Inside(std::abs(radius - 0.85) - 0.06, edge));
-  Fill(material, { 0.45, 0.3, 6.0 }, Inside(std::abs(radius - 0.62) - 0.05, edge));
-  Fill(material, { 0.7, 0.6, 10.0 }, Inside(std::abs(radius - 0.4) - 0.05, edge));
-  Fill(material, { 1.0, 1.0, 20.0 }, Inside(radius - 0.2, edge));
+  Fill(material, { 0.2, 0, 2.0, 1 }, Inside(std::abs(radius - 0.85) - 0.06, edge));
+  Fill(material, { 0.45, 0.3, 6.0, 2 }, Inside(std::abs(radius - 0.62) - 0.05, edge));
+  Fill(material, { 0.7, 0.6, 10.0, 3 }, Inside(std::abs(radius - 0.4) - 0.05, edge));
+  Fill(material, { 1.0, 1.0, 20.0, 4 }, Inside(radius - 0.2, edge));
   return material;
 }
 
 Material VesselsScene(const PhantomPoint& p, double edge)
 {
   const double noise = Noise(p);
-  const Material tissue{ 0.2 + 0.2 * noise, 0.6 * std::pow(noise, 3), 1.0 + 4.0 * noise };
+  const Material tissue{ 0.2 + 0.2 * noise, 0.6 * std::pow(noise, 3), 1.0 + 4.0 * noise, 2 };
   const double body = Ellipsoid(p, { 0, 0, 0 }, { 0.75, 0.8, 0.7 });
   Material material;
-  Fill(material, { 0.5, 0, 8.0 }, Inside(body, edge));
+  Fill(material, { 0.5, 0, 8.0, 1 }, Inside(body, edge));
   Fill(material, tissue, Inside(body + 0.05, edge));
-  Fill(material, { 1.0, 1.0, 40.0 }, Inside(ThinVessels(p), 0.5 * edge));
+  Fill(material, { 1.0, 1.0, 40.0, 3 }, Inside(ThinVessels(p), 0.5 * edge));
   return material;
 }
 
 Material HomogeneousScene(const PhantomPoint&, double)
 {
-  return { 0.5, 1.0, 1.0 };
+  return { 0.5, 1.0, 1.0, 1 };
 }
 }

@@ -18,6 +18,7 @@ struct Material
   double scalar = 0;     ///< [0, 1]
   double importance = 0; ///< [0, 1]
   double extinction = 0; ///< [1/length]
+  int structure = 0;     ///< label of the shape that has most of the point; 0: none
 };
 
 /// Returns half the width of the edges of shapes for a node spacing [length].

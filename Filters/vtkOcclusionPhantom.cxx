@@ -16,6 +16,7 @@
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkUnsignedCharArray.h"
 
 #include "backend/Interruption.h"
 
@@ -26,11 +27,12 @@ vtkStandardNewMacro(vtkOcclusionPhantom);
 
 namespace
 {
-const limpid::MemoryNeed Need{ 3 * sizeof(float), "Set a smaller Resolution." };
+const limpid::MemoryNeed Need{ 3 * sizeof(float) + 1, "Set a smaller Resolution." };
 
-vtkSmartPointer<vtkFloatArray> NewField(const char* name, vtkIdType count)
+template <class ArrayType = vtkFloatArray>
+vtkSmartPointer<ArrayType> NewField(const char* name, vtkIdType count)
 {
-  vtkSmartPointer<vtkFloatArray> field = limpid::NewArray<vtkFloatArray>(name, count);
+  vtkSmartPointer<ArrayType> field = limpid::NewArray<ArrayType>(name, count);
   limpid::MarkAsGenerated(field);
   return field;
 }
@@ -41,6 +43,7 @@ void FillPoints(const limpid::PhantomScene& scene, vtkImageData* output)
   const vtkSmartPointer<vtkFloatArray> scalars = NewField("Scalars", count);
   const vtkSmartPointer<vtkFloatArray> importance = NewField("Importance", count);
   const vtkSmartPointer<vtkFloatArray> extinction = NewField("BaseExtinction", count);
+  const auto structure = NewField<vtkUnsignedCharArray>("Structure", count);
   const double edge = limpid::PhantomEdge(output->GetSpacing()[0]);
   limpid::ForOnAllCores(count,
     [&](vtkIdType begin, vtkIdType end)
@@ -53,11 +56,13 @@ void FillPoints(const limpid::PhantomScene& scene, vtkImageData* output)
         scalars->SetValue(i, static_cast<float>(material.scalar));
         importance->SetValue(i, static_cast<float>(material.importance));
         extinction->SetValue(i, static_cast<float>(material.extinction));
+        structure->SetValue(i, static_cast<unsigned char>(material.structure));
       }
     });
   output->GetPointData()->SetScalars(scalars);
   output->GetPointData()->AddArray(importance);
   output->GetPointData()->AddArray(extinction);
+  output->GetPointData()->AddArray(structure);
 }
 }
 

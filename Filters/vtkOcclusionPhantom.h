@@ -8,16 +8,20 @@
  * Procedural test volumes on [-1, 1]^3 with point arrays
  *   "Scalars"        a value per material [0, 1],
  *   "Importance"     importance of the structure [0, 1],
- *   "BaseExtinction" extinction of the material [1/length].
+ *   "BaseExtinction" extinction of the material [1/length],
+ *   "Structure"      label of the shape that has most of the point, as below; 0: none.
  * Shapes have smooth edges, at least one and a half voxels wide, so that results do not depend on
  * the position of the grid.
  *
  * Scenes:
- *   HEAD         skin and soft tissue around a skull, with two vessels and a tumour inside;
- *   FLAME        a flickering plume of hot gas with a thin reaction front inside;
- *   SHELLS       four nested spheres; the inner ones are more important;
- *   HOMOGENEOUS  extinction 1 and importance 1 everywhere, for comparison with closed forms;
- *   VESSELS      thin vessels in tissue with noise, which is constant within cells of size 1/64.
+ *   HEAD         skin (1) and soft tissue (2) around a brain (3) in a skull (4), with two vessels
+ *                (5) and a tumour (6) inside;
+ *   FLAME        a flickering plume of smoke (1) and hot gas (2) with a thin reaction front (3) and
+ *                a core (4) inside;
+ *   SHELLS       four nested spheres (1 to 4, from outside); the inner ones are more important;
+ *   HOMOGENEOUS  extinction 1 and importance 1 everywhere (1), for comparison with closed forms;
+ *   VESSELS      thin vessels (3) in tissue (2) with noise, which is constant within cells of size
+ *                1/64, in a skin (1).
  *
  * @sa vtkExtinctionOptimizer
  */

@@ -1000,7 +1000,7 @@ class TestRuns(OptimizerTest):
         self.assertEqual(output.GetExtent(), image.GetExtent())
         names = [output.GetPointData().GetArrayName(i)
                  for i in range(output.GetPointData().GetNumberOfArrays())]
-        self.assertEqual(names, ["Scalars", "Importance", "BaseExtinction"])
+        self.assertEqual(names, ["Scalars", "Importance", "BaseExtinction", "Structure"])
         self.assertEqual(output.GetFieldData().GetNumberOfArrays(), 0)
         self.assertEqual(result.GetConvergence().GetNumberOfRows(), 0)
 

@@ -42,6 +42,21 @@ class TestOcclusionPhantom(unittest.TestCase):
         for level in (0.35, 0.8, 1.0):  # skull, vessels, tumour
             self.assertGreater(np.count_nonzero(np.abs(importance - level) < 1e-6), 30)
 
+    def test_structures_are_the_shapes(self):
+        for scene, shapes in {"Head": 6, "Flame": 4, "Shells": 4, "Homogeneous": 1,
+                              "Vessels": 3}.items():
+            with self.subTest(scene):
+                image = phantom(scene)
+                labels = values(image, "Structure")
+                expected = range(1, shapes + 1) if scene == "Homogeneous" else range(shapes + 1)
+                self.assertEqual(np.unique(labels).tolist(), list(expected))
+                extinction = values(image, "BaseExtinction")
+                self.assertGreater(extinction[labels > 0].min(), 0)
+        image = phantom("Head")
+        importance, labels = values(image, "Importance"), values(image, "Structure")
+        self.assertGreaterEqual(importance[labels == 6].min(), 0.8)  # the tumour, and its edge
+        self.assertEqual(importance[labels == 1].max(), 0)
+
     def test_the_homogeneous_scene_is_constant(self):
         image = phantom("Homogeneous", 8)
 
