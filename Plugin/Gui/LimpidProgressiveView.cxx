@@ -55,14 +55,14 @@ LimpidProgressiveView::LimpidProgressiveView(vtkSMRenderViewProxy* proxy, pqRend
     SLOT(beginRender(vtkObject*, unsigned long, void*, void*)));
   this->Events->Connect(
     proxy, vtkCommand::EndEvent, this, SLOT(endRender(vtkObject*, unsigned long, void*, void*)));
-  this->Events->Connect(
-    proxy->GetRenderWindow(), vtkCommand::AbortCheckEvent, this, SLOT(checkAbort()));
   if (vtkRenderWindowInteractor* interactor = proxy->GetInteractor())
   {
     this->Events->Connect(
       interactor, vtkCommand::StartInteractionEvent, this, SLOT(beginInteraction()));
     this->Events->Connect(
       interactor, vtkCommand::EndInteractionEvent, this, SLOT(endInteraction()));
+    this->Events->Connect(
+      proxy->GetRenderWindow(), vtkCommand::AbortCheckEvent, this, SLOT(checkAbort()));
     constexpr float first = 1; // a priority above that of ParaView's own observer
     for (const auto event :
       { vtkCommand::MouseWheelForwardEvent, vtkCommand::MouseWheelBackwardEvent })
@@ -184,9 +184,13 @@ void LimpidProgressiveView::prepare()
 }
 
 // Measures what the picture shows of structures, and renders to tell it. Returns whether there was
-// anything to measure.
+// anything to measure. A server could not be interrupted, so there it is left to LimpidStructures.
 bool LimpidProgressiveView::measureStructures()
 {
+  if (this->View->getServer()->isRemote())
+  {
+    return false;
+  }
   std::vector<vtkSMProxy*> volumes = VisibleOptimizedVolumes(this->Proxy);
   volumes.erase(
     std::remove_if(volumes.begin(), volumes.end(), AreStructuresMeasured), volumes.end());

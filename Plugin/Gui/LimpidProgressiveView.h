@@ -11,8 +11,9 @@
  * ones, and no step is made until the wheel is at rest. Captured pictures (screenshots, frames of a
  * saved animation) are completed in one render, whose progress LimpidCapture shows. When all is
  * done and ParaView has been idle for a second, it is measured what the picture shows of each
- * structure, which the next render tells; moving the mouse aborts this. Then the unoptimized
- * pictures are computed, so that Show Original shows them at once.
+ * structure, which the next render tells; moving the mouse aborts this, and it is not done on
+ * remote servers. Then the unoptimized pictures are computed, so that Show Original shows them at
+ * once.
  */
 
 #ifndef LimpidProgressiveView_h

@@ -94,14 +94,14 @@ QString LimpidStructureModel::freeName(const QString& wanted, const QString& lab
 void LimpidStructureModel::add(const Names& names)
 {
   this->beginResetModel();
-  for (const auto& [label, name] : names)
+  for (const auto& given : names)
   {
-    const QString text = QString::number(label);
+    const QString label = QString::number(given.first);
     const bool isThere = std::any_of(this->Rows.begin(), this->Rows.end(),
-      [&](const Row& row) { return row[LABEL_TEXT].toLongLong() == label; });
+      [&](const Row& row) { return row[LABEL_TEXT].toLongLong() == given.first; });
     if (!isThere)
     {
-      this->Rows.push_back({ { text, this->freeName(name, text), "1", "" } });
+      this->Rows.push_back({ { label, this->freeName(given.second, label), "1", "" } });
     }
   }
   this->Shares.clear();

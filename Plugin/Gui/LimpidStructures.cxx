@@ -121,6 +121,11 @@ LimpidStructures::LimpidStructures(
   {
     pqCoreUtilities::connect(shares, vtkCommand::ModifiedEvent, this, SLOT(followShares()));
     this->followShares();
+    auto* measure = this->newButton("Measure", tr("Measure Visibility"),
+      tr("Measure how much the picture shows of each structure. Without a remote server, this "
+         "happens by itself when ParaView is idle."));
+    buttons->addWidget(measure, 2, 0, 1, 2);
+    this->connect(measure, &QPushButton::clicked, this, &LimpidStructures::measure);
     this->connect(this, &pqPropertyWidget::viewChanged, this, &LimpidStructures::watchView);
   }
 }
@@ -206,6 +211,15 @@ void LimpidStructures::takeEdit(int row, int column)
 void LimpidStructures::followShares()
 {
   this->Model->setShares(vtkSMPropertyHelper(this->proxy(), "StructureShares").GetDoubleArray());
+}
+
+void LimpidStructures::measure()
+{
+  MeasureStructures(this->Volume);
+  if (this->view())
+  {
+    this->view()->render(); // tells it
+  }
 }
 
 // Returns what gets the mouse's events in the view; null: none.

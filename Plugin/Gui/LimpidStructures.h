@@ -48,6 +48,7 @@ private Q_SLOTS:
   void followShares();
   void fillFromData();
   void loadNames();
+  void measure();
   void watchView(pqView* view);
   void beginClick(); // events of the view's interactor
   void endClick();
