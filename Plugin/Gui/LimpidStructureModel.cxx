@@ -225,6 +225,10 @@ QVariant LimpidStructureModel::data(const QModelIndex& index, int role) const
     return role == Qt::CheckStateRole ? QVariant(isChecked ? Qt::Checked : Qt::Unchecked)
                                       : QVariant();
   }
+  if (role == Qt::ToolTipRole && column == NAME)
+  {
+    return this->value(index.row(), column); // the column may be too narrow for it
+  }
   if (role != Qt::DisplayRole && role != Qt::EditRole)
   {
     return {};

@@ -32,8 +32,9 @@
 
 namespace
 {
-const int HEIGHT = 200;    // of the table [pixels]
-const int ROW_HEIGHT = 24; // [pixels]
+const int HEIGHT = 200; // of the table [pixels]
+const int ROW_HEIGHT = 24;
+const int NAME_WIDTH = 80; // names may be long
 
 // Keeps several selected rows selected if a value of one of them is clicked, to change it in all of
 // them.
@@ -148,7 +149,12 @@ void LimpidStructures::createTable()
   left->hide();
   left->setMinimumSectionSize(1);
   left->setDefaultSectionSize(ROW_HEIGHT);
-  this->Table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+  QHeaderView* header = this->Table->horizontalHeader();
+  header->setHighlightSections(false);
+  header->setMinimumSectionSize(ROW_HEIGHT);
+  header->setSectionResizeMode(QHeaderView::ResizeToContents);
+  header->setSectionResizeMode(LimpidStructureModel::NAME, QHeaderView::Interactive);
+  header->resizeSection(LimpidStructureModel::NAME, NAME_WIDTH);
 }
 
 QPushButton* LimpidStructures::newButton(
