@@ -86,6 +86,8 @@ def tell():
     expect(frames.settle(3 * story.PATIENCE, 2), "rendering ends")
     expect(any(line.startswith("core ") and line.endswith(" (target 95.5 %)")
                for line in text_of(view)), "the view says so, too")
+    told = story.take_messages()
+    expect(len(told) == 1 and '"core"' in told[0], f"and that it cannot be reached: {told}")
     yield
     click(view, *place_of_core(view, source))
     yield
