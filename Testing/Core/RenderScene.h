@@ -84,6 +84,9 @@ struct RenderScene
   std::vector<float> importance; ///< of what is missed, which is painted; empty: it is not
   Compositing compositing = Compositing::FrontToBack; ///< others: nothing is painted
   std::array<float, 3> missedColor{ { 1, 0, 1 } };
+  std::vector<StructureRow> structures; ///< empty: none
+  double structureColors = 0;           ///< share of the following
+  std::vector<std::array<float, 3>> colorsOfRows;
   View view;
   std::vector<float> nearDepth; ///< of `view`; empty: rays begin where they can
   std::vector<float> depth;     ///< of `view`; empty: nothing opaque
@@ -196,6 +199,11 @@ struct RenderScene
       {
         renderer.ShowMissed(missedColor);
       }
+    }
+    if (!structures.empty())
+    {
+      renderer.SetStructures(structures.data());
+      renderer.TintStructures(structureColors, colorsOfRows);
     }
   }
 

@@ -157,6 +157,20 @@ void Miss(RenderScene& scene)
   }
 }
 
+/// Gives blobs of structures their colours, but for one.
+void Tint(RenderScene& scene)
+{
+  const Int3& nodes = scene.grid.nodes;
+  for (int node = 0; node < nodes.x * nodes.y * nodes.z; ++node)
+  {
+    const int row = node / nodes.x;
+    scene.structures.push_back(
+      StructureRow((node % nodes.x / 5 + row % nodes.y / 4 + row / nodes.y / 6) % 4));
+  }
+  scene.structureColors = 0.8;
+  scene.colorsOfRows = { { { 1, 0, 0 } }, { { 0.2f, 1, 0.1f } } };
+}
+
 const Case cases[] = {
   { "Unlit", [](RenderScene&) {} },
   { "Changed", [](RenderScene& scene) { scene.Change(scene.grid.nodes, 21); } },
@@ -282,6 +296,21 @@ const Case cases[] = {
     [](RenderScene& scene)
     {
       Illuminate(scene);
+      Miss(scene);
+      scene.compositing = Compositing::ImportanceMean;
+    } },
+  { "Tinted", Tint },
+  { "TintedLitAndChanged",
+    [](RenderScene& scene)
+    {
+      Tint(scene);
+      Illuminate(scene);
+      scene.Change({ 7, 8, 5 }, 21);
+    } },
+  { "TintedMeanByImportance",
+    [](RenderScene& scene)
+    {
+      Tint(scene);
       Miss(scene);
       scene.compositing = Compositing::ImportanceMean;
     } },

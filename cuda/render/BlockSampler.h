@@ -130,6 +130,15 @@ struct BlockSampler
       __builtin_shufflevector(samples.low, samples.high, 7, 8, 9, 10, 11, 12, 13, 14));
   }
 
+  static LIMPID_INLINE Index CellOf(const BlockCells& cells, int i) { return cells.first[i]; }
+
+  static LIMPID_INLINE Optical Loaded(const FourFloats& numbers)
+  {
+    Optical loaded;
+    std::memcpy(&loaded, &numbers, sizeof(loaded));
+    return loaded;
+  }
+
   static LIMPID_INLINE void FindFirst(
     const CellGrid& grid, const IntLanes* before, BlockCells& cells)
   {

@@ -20,20 +20,27 @@ constexpr int tileWidth = 4; // pixels
 constexpr int tileHeight = RayLanes::count / tileWidth;
 constexpr int tilesAtATime = 8; ///< neighbours along a row, which read the same nodes
 
-TraceOneRay TraceOf(const RayScene& scene, Compositing compositing)
+template <Compositing compositing>
+TraceOneRay TraceBy(const RayScene& scene)
 {
   const bool lit = scene.gradient != nullptr;
   const bool overlaid = scene.overlay != nullptr;
+  return scene.structures ? HostTraceBy<compositing, true>(lit, overlaid)
+                          : HostTraceBy<compositing, false>(lit, overlaid);
+}
+
+TraceOneRay TraceOf(const RayScene& scene, Compositing compositing)
+{
   switch (compositing)
   {
     case Compositing::FromObject:
-      return HostTraceBy<Compositing::FromObject>(lit, overlaid);
+      return TraceBy<Compositing::FromObject>(scene);
     case Compositing::ImportanceMean:
-      return HostTraceBy<Compositing::ImportanceMean>(lit, overlaid);
+      return TraceBy<Compositing::ImportanceMean>(scene);
     case Compositing::FrontToBack:
       break;
   }
-  return HostTraceBy<Compositing::FrontToBack>(lit, overlaid);
+  return TraceBy<Compositing::FrontToBack>(scene);
 }
 
 template <bool overlaid>

@@ -18,26 +18,31 @@ namespace limpid
 using HostPixel = Pixel<BlockSampler::Optical>;
 using TraceOneRay = void (*)(const RayScene& scene, const Ray& ray, HostPixel& pixel);
 
-template <Compositing compositing, bool lit, bool overlaid>
+template <Compositing compositing, bool lit, bool overlaid, bool tinted>
 void HostTrace(const RayScene& scene, const Ray& ray, HostPixel& pixel)
 {
   RunMultiversioned([&]() LIMPID_INLINE_LAMBDA
-    { TraceAs<compositing, BlockSampler, lit, overlaid>(scene, ray, pixel); });
+    { TraceAs<compositing, BlockSampler, lit, overlaid, tinted>(scene, ray, pixel); });
 }
 
-/// The functions that trace rays for scenes with and without a gradient (lit) and an overlay.
-template <Compositing compositing>
+/// The functions that trace rays for scenes with and without a gradient (lit) and an overlay, with
+/// or without scene.structures (tinted).
+template <Compositing compositing, bool tinted>
 TraceOneRay HostTraceBy(bool lit, bool overlaid)
 {
-  constexpr TraceOneRay all[2][2] = { { HostTrace<compositing, false, false>,
-                                        HostTrace<compositing, false, true> },
-    { HostTrace<compositing, true, false>, HostTrace<compositing, true, true> } };
+  constexpr TraceOneRay all[2][2] = { { HostTrace<compositing, false, false, tinted>,
+                                        HostTrace<compositing, false, true, tinted> },
+    { HostTrace<compositing, true, false, tinted>, HostTrace<compositing, true, true, tinted> } };
   return all[lit][overlaid];
 }
 
-extern template TraceOneRay HostTraceBy<Compositing::FrontToBack>(bool lit, bool overlaid);
-extern template TraceOneRay HostTraceBy<Compositing::FromObject>(bool lit, bool overlaid);
-extern template TraceOneRay HostTraceBy<Compositing::ImportanceMean>(bool lit, bool overlaid);
+extern template TraceOneRay HostTraceBy<Compositing::FrontToBack, false>(bool lit, bool overlaid);
+extern template TraceOneRay HostTraceBy<Compositing::FrontToBack, true>(bool lit, bool overlaid);
+extern template TraceOneRay HostTraceBy<Compositing::FromObject, false>(bool lit, bool overlaid);
+extern template TraceOneRay HostTraceBy<Compositing::FromObject, true>(bool lit, bool overlaid);
+extern template TraceOneRay HostTraceBy<Compositing::ImportanceMean, false>(
+  bool lit, bool overlaid);
+extern template TraceOneRay HostTraceBy<Compositing::ImportanceMean, true>(bool lit, bool overlaid);
 }
 
 #endif

@@ -5,5 +5,6 @@
 
 namespace limpid
 {
-template TraceOneRay HostTraceBy<Compositing::FromObject>(bool lit, bool overlaid);
+template TraceOneRay HostTraceBy<Compositing::FromObject, false>(bool lit, bool overlaid);
+template TraceOneRay HostTraceBy<Compositing::FromObject, true>(bool lit, bool overlaid);
 }

@@ -5,5 +5,6 @@
 
 namespace limpid
 {
-template TraceOneRay HostTraceBy<Compositing::FrontToBack>(bool lit, bool overlaid);
+template TraceOneRay HostTraceBy<Compositing::FrontToBack, false>(bool lit, bool overlaid);
+template TraceOneRay HostTraceBy<Compositing::FrontToBack, true>(bool lit, bool overlaid);
 }

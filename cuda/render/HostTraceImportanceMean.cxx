@@ -5,5 +5,6 @@
 
 namespace limpid
 {
-template TraceOneRay HostTraceBy<Compositing::ImportanceMean>(bool lit, bool overlaid);
+template TraceOneRay HostTraceBy<Compositing::ImportanceMean, false>(bool lit, bool overlaid);
+template TraceOneRay HostTraceBy<Compositing::ImportanceMean, true>(bool lit, bool overlaid);
 }

@@ -4,9 +4,10 @@
 #ifndef limpid_render_RaySamples_h
 #define limpid_render_RaySamples_h
 
-#include "render/RayScene.h"
+#include "render/RayPlaces.h"
 #include "render/Segment.h"
 #include "render/SingleSampler.h"
+#include "render/StructureTint.h"
 
 namespace limpid
 {
@@ -28,52 +29,6 @@ struct Ends
 
   LIMPID_HD LIMPID_INLINE Lanes Sum() const { return this->front + this->rear; }
   LIMPID_HD LIMPID_INLINE Lanes Difference() const { return this->rear - this->front; }
-};
-
-/// Positions of samples of a ray, in as many lanes as AnySampler processes at a time.
-template <class AnySampler>
-struct RayPlaces
-{
-  using Lanes = typename AnySampler::Lanes;
-
-  Lanes distance; ///< from the entry [samples]
-  CellPlaces<AnySampler> scalars;
-
-  /// Sets the samples that begin with number `k`.
-  LIMPID_HD LIMPID_INLINE void Set(const RayScene& scene, const Ray& ray, int k)
-  {
-    this->distance = DistanceOf(ray, ToFloat(k) + AnySampler::Numbers());
-    const Lanes position[3] = { this->Along(ray, 0), this->Along(ray, 1), this->Along(ray, 2) };
-    this->scalars.Set(scene.grid, position);
-  }
-
-  /// Returns these places among the nodes of the overlay. `apart`: storage for them, used if the
-  /// overlay has other nodes than the scalars.
-  LIMPID_HD LIMPID_INLINE const CellPlaces<AnySampler>& InOverlay(
-    const RayScene& scene, const Ray& ray, CellPlaces<AnySampler>& apart) const
-  {
-    if (scene.overlaySameNodes)
-    {
-      return this->scalars;
-    }
-    const Lanes position[3] = { this->AlongOverlay(scene, ray, 0),
-      this->AlongOverlay(scene, ray, 1), this->AlongOverlay(scene, ray, 2) };
-    apart.Set(scene.overlayGrid, position);
-    return apart;
-  }
-
-private:
-  /// Returns the positions of the samples along an axis of the overlay [nodes].
-  LIMPID_HD LIMPID_INLINE Lanes AlongOverlay(const RayScene& scene, const Ray& ray, int axis) const
-  {
-    return (this->Along(ray, axis) + scene.overlayShift[axis]) * scene.overlayScale[axis];
-  }
-
-  /// Returns the positions of the samples along an axis [index].
-  LIMPID_HD LIMPID_INLINE Lanes Along(const Ray& ray, int axis) const
-  {
-    return ray.entry[axis] + this->distance * ray.step[axis];
-  }
 };
 
 /**
@@ -206,10 +161,19 @@ struct RaySamples
     return base * lengthUnit * this->distance.Difference();
   }
 
+  /// Returns the colours of the structures in which the segments lie.
+  template <bool Tinted>
+  LIMPID_HD LIMPID_INLINE SegmentTints<AnySampler, Tinted> Tints(
+    const RayScene& scene, const Ray& ray) const
+  {
+    return SegmentTints<AnySampler, Tinted>(scene, ray, 0.5f * this->distance.Sum());
+  }
+
   /// Adds the segments to a pixel, front to back: the sum of Eq. (6). A segment scatters extinction
   /// times colour, Eq. (3).
-  template <bool Lit>
-  LIMPID_HD LIMPID_INLINE void AddTo(const RayScene& scene, Pixel<Optical>& pixel) const
+  template <bool Lit, bool Tinted>
+  LIMPID_HD LIMPID_INLINE void AddTo(
+    const RayScene& scene, const Ray& ray, Pixel<Optical>& pixel) const
   {
     const Segment<Lanes> segment(this->Depth(scene));
     const Lanes sent = Lit ? segment.absorbed *
@@ -221,11 +185,13 @@ struct RaySamples
     const Lanes given = sent * Select(inFront > scene.opaqueBelow, inFront, 0.0f);
     const Lanes ofValues = given * this->mean.ofValues;
     const Lanes ofIntegrals = given * this->mean.ofIntegrals;
+    const auto tints = this->template Tints<Tinted>(scene, ray);
     Optical sum = pixel.light;
     LIMPID_UNROLL(16)
     for (int i = 0; i < count; ++i)
     {
-      sum = sum + this->optics.Color(i, LaneOf(ofValues, i), LaneOf(ofIntegrals, i));
+      const Optical color = this->optics.Color(i, LaneOf(ofValues, i), LaneOf(ofIntegrals, i));
+      sum = sum + tints.Over(i, LaneOf(given, i), color);
     }
     pixel.light = sum;
   }

@@ -11,6 +11,7 @@
 #include "render/OverlayGeometry.h"
 #include "render/RayLight.h"
 #include "render/Trilinear.h"
+#include "scene/Structures.h"
 
 namespace limpid
 {
@@ -22,6 +23,9 @@ struct RayScene
   OpticalTable table;
   const FourPacked* gradient = nullptr; ///< see PackedGradientNode; null: not lit
   const float* importance = nullptr;    ///< at the nodes of the scalars [0, 1]; null: not needed
+  const StructureRow* structures = nullptr; ///< at the nodes of the scalars; null: not tinted
+  const FourFloats* tints = nullptr; ///< of each row: share of its colour in that of a sample, and
+                                     ///< this share of red, green and blue
   CellGrid overlayGrid;
   const TwoPacked* overlay = nullptr; ///< see ExtinctionOverlay; null: no change
   const float* shadow = nullptr;      ///< at the nodes of the overlay, see ExtinctionOverlay; null:

@@ -119,7 +119,7 @@ struct PixelOfTile
   }
 };
 
-template <Compositing compositing, bool Lit, bool Overlaid>
+template <Compositing compositing, bool Lit, bool Overlaid, bool Tinted>
 struct DrawnPixel
 {
   RayScene scene;
@@ -129,7 +129,7 @@ struct DrawnPixel
   {
     this->rays.template Draw<FourFloats>(column, row,
       [this](const Ray& ray, Pixel<FourFloats>& pixel)
-      { TraceAs<compositing, SingleSampler, Lit, Overlaid>(this->scene, ray, pixel); });
+      { TraceAs<compositing, SingleSampler, Lit, Overlaid, Tinted>(this->scene, ray, pixel); });
   }
 };
 
@@ -147,8 +147,8 @@ struct PaintedPixel
   }
 };
 
-template <Compositing compositing, class AnyDevice>
-void CastRaysAs(AnyDevice& device, const RayScene& scene, const PictureRays& rays)
+template <Compositing compositing, bool Tinted, class AnyDevice>
+void CastRaysBy(AnyDevice& device, const RayScene& scene, const PictureRays& rays)
 {
   const auto cast = [&](const auto& pixel)
   {
@@ -157,14 +157,21 @@ void CastRaysAs(AnyDevice& device, const RayScene& scene, const PictureRays& ray
   };
   if (scene.gradient)
   {
-    scene.overlay ? cast(DrawnPixel<compositing, true, true>{ scene, rays })
-                  : cast(DrawnPixel<compositing, true, false>{ scene, rays });
+    scene.overlay ? cast(DrawnPixel<compositing, true, true, Tinted>{ scene, rays })
+                  : cast(DrawnPixel<compositing, true, false, Tinted>{ scene, rays });
   }
   else
   {
-    scene.overlay ? cast(DrawnPixel<compositing, false, true>{ scene, rays })
-                  : cast(DrawnPixel<compositing, false, false>{ scene, rays });
+    scene.overlay ? cast(DrawnPixel<compositing, false, true, Tinted>{ scene, rays })
+                  : cast(DrawnPixel<compositing, false, false, Tinted>{ scene, rays });
   }
+}
+
+template <Compositing compositing, class AnyDevice>
+void CastRaysAs(AnyDevice& device, const RayScene& scene, const PictureRays& rays)
+{
+  scene.structures ? CastRaysBy<compositing, true>(device, scene, rays)
+                   : CastRaysBy<compositing, false>(device, scene, rays);
 }
 
 /// Casts a ray through every pixel of a picture. All addresses are on the device. Does not wait.

@@ -11,6 +11,7 @@
 #include <array>
 #include <memory>
 #include <optional>
+#include <vector>
 
 namespace limpid
 {
@@ -24,6 +25,7 @@ struct Casting
   float stepLength = 1;                               ///< distance of samples [length]
   std::optional<std::array<float, 3>> missedColor;    ///< none: missed structures are not painted
   Compositing compositing = Compositing::FrontToBack; ///< the others need importance
+  std::vector<FourFloats> tints;                      ///< see RayScene; empty: not tinted
 };
 
 /**
@@ -85,6 +87,10 @@ public:
   /// Discards the importance and derived data. It must be set again before a picture shows what is
   /// missed.
   virtual void ClearImportance() = 0;
+
+  /// Sets the rows of structures at the nodes of the scalars; null: none. They must be set again
+  /// after new scalars before a picture is tinted.
+  virtual void SetStructures(const StructureRow* rows) = 0;
 
   /// Computes where neither the transfer function nor a change has any extinction; cleared parts
   /// are not empty here.

@@ -29,8 +29,9 @@ namespace limpid
  *
  * Bytes on a GPU per node: scalars 4, gradient 8, overlay with shadows 8, the extinction that casts
  * them 4, and temporarily 8 for two new extinctions or for a new gradient. The sum is 32, plus 4
- * for the importance if missed structures are painted. At 256^3 nodes this is 0.54 GB, plus 0.1 GB
- * for the plan of the shadows. The processor reads scalars and extinctions in place.
+ * for the importance if missed structures are painted, plus 2 for the structures if they tint. At
+ * 256^3 nodes this is 0.54 GB, plus 0.1 GB for the plan of the shadows. The processor reads scalars
+ * and extinctions in place.
  *
  * Memory traffic of a picture, counted: 1024^2 pixels, of which half see a box of 256^3 nodes, have
  * 92 M samples at the distance of the nodes if nothing is empty or opaque. A lit sample in an
@@ -183,6 +184,16 @@ public:
     this->Empty.FindUnimportant(this->Importance.Data());
   }
 
+  void SetStructures(const StructureRow* rows) override
+  {
+    this->Structures = {};
+    if (rows)
+    {
+      this->Structures.Borrow(
+        this->Device, rows, std::size_t(this->Part.Nodes().NodeCount()), "the structures");
+    }
+  }
+
   void ClearImportance() override
   {
     this->Importance = {};
@@ -211,6 +222,11 @@ public:
     const float* depth = borrow(this->Depth, view.depth);
     Rgba* pixels = this->Pixels.RoomFor(this->Device, count, what);
     this->ShadowGradient(casting);
+    this->Tints = {};
+    if (!casting.tints.empty())
+    {
+      this->Tints.Borrow(this->Device, casting.tints.data(), casting.tints.size(), what);
+    }
     PictureRays rays{ RayMaker(this->Part.Whole(), casting.stepLength, view), view.width,
       view.height, nearDepth, depth, pixels };
     if (!picture.foremost.empty())
@@ -418,6 +434,11 @@ private:
       const bool apart = casting.lit && this->Shown.Shadowed() && !this->ShadowsFitGradient();
       scene.shadow = apart ? this->Shown.Shadow() : nullptr;
     }
+    if (!casting.tints.empty())
+    {
+      scene.structures = this->Structures.Data();
+      scene.tints = this->Tints.Data();
+    }
     if (casting.skipEmpty)
     {
       scene.bricks = this->Empty.Distances();
@@ -470,7 +491,9 @@ private:
   BorrowedArray<AnyDevice, float> Largest; ///< see OpticalTable
   OpticalTable Table;
 
-  BorrowedArray<AnyDevice, float> Importance; ///< empty: not needed
+  BorrowedArray<AnyDevice, float> Importance;        ///< empty: not needed
+  BorrowedArray<AnyDevice, StructureRow> Structures; ///< empty: none
+  BorrowedArray<AnyDevice, FourFloats> Tints;        ///< see RayScene
   DeviceArray<AnyDevice, FourPacked> Gradient;
   bool GradientHasShadow = false; ///< whether it includes the shadow of the overlay
   Bricks<AnyDevice> Empty;

@@ -29,6 +29,17 @@ void RequireSameBox(const DrawnPart& scalars, const DrawnPart& extinction)
                                 << " nodes does not span the box of the scalars (it would be drawn "
                                    "in the wrong place). Give both over the same box.");
 }
+
+void RequireColor(const char* subject, const std::array<float, 3>& color)
+{
+  for (const float channel : color)
+  {
+    LIMPID_REQUIRE(channel >= 0 && channel <= 1,
+      "A channel of the colour for " << subject << " is " << channel
+                                     << " (channels outside [0, 1] cannot be displayed). Keep it "
+                                        "between 0 and 1.");
+  }
+}
 } // namespace
 
 bool operator==(const Lighting& one, const Lighting& other)
@@ -62,6 +73,10 @@ struct Renderer::Internals
   std::optional<std::array<float, 3>> missedColor; ///< none: missed structures are not painted
   Compositing compositing = Compositing::FrontToBack;
 
+  std::size_t structureRows = 0; ///< rows of the structures, with row 0; 0: none are given
+  double tint = 0;               ///< see TintStructures
+  std::vector<std::array<float, 3>> structureColors;
+
   bool gradientIsCurrent = false;
   bool bricksAreCurrent = false;
   bool bareBricksAreCurrent = false;
@@ -87,6 +102,29 @@ struct Renderer::Internals
     this->hasImportance = false;
     this->bareBricksAreCurrent = false;
     this->backend->ClearImportance();
+  }
+
+  void ForgetStructures()
+  {
+    this->structureRows = 0;
+    this->backend->SetStructures(nullptr);
+  }
+
+  /// Returns the colours of all rows for rays, see RayScene; empty: none are shown.
+  std::vector<FourFloats> Tints() const
+  {
+    if (this->tint <= 0)
+    {
+      return {};
+    }
+    std::vector<FourFloats> tints(this->structureRows, FourFloats{});
+    const auto share = static_cast<float>(this->tint);
+    for (std::size_t row = 1; row < tints.size() && row <= this->structureColors.size(); ++row)
+    {
+      const std::array<float, 3>& color = this->structureColors[row - 1];
+      tints[row] = { { share, share * color[0], share * color[1], share * color[2] } };
+    }
+    return tints;
   }
 
   /// If no extinction was given, that of the transfer function casts the shadows.
@@ -211,6 +249,7 @@ struct Renderer::Internals
       casting.missedColor = view.paintsMissed ? this->missedColor : std::nullopt;
       casting.compositing = this->compositing;
     }
+    casting.tints = this->Tints();
     // Samples at a larger distance could step over a brick.
     casting.skipEmpty = view.skipEmpty && view.sampleDistance <= BrickDistances::size;
     return casting;
@@ -241,6 +280,7 @@ void Renderer::SetScalars(const DrawnPart& part, const float* scalars, const flo
   ++state.changes;
   state.hasScalars = false; // in case one of the next lines throws
   state.ForgetImportance();
+  state.ForgetStructures();
   state.backend->SetScalars(part, scalars, shares);
   state.part = part;
   state.hasScalars = true;
@@ -283,13 +323,43 @@ void Renderer::SetImportance(const float* importance)
 
 void Renderer::ShowMissed(const std::optional<std::array<float, 3>>& color)
 {
-  for (const float channel : color.value_or(std::array<float, 3>{}))
-  {
-    LIMPID_REQUIRE(channel >= 0 && channel <= 1,
-      "A channel of the colour for missed structures is "
-        << channel << " (channels outside [0, 1] cannot be displayed). Keep it between 0 and 1.");
-  }
+  RequireColor("missed structures", color.value_or(std::array<float, 3>{}));
   this->State->Take(this->State->missedColor, color);
+}
+
+void Renderer::SetStructures(const StructureRow* rows)
+{
+  Internals& state = *this->State;
+  ++state.changes;
+  state.ForgetStructures();
+  if (!rows)
+  {
+    return;
+  }
+  LIMPID_REQUIRE(state.hasScalars,
+    "The structures were given before the scalars (they are defined on their grid). Set them "
+    "first.");
+  if (state.HasVolume())
+  {
+    state.backend->SetStructures(rows);
+    state.structureRows =
+      std::size_t(*std::max_element(rows, rows + state.part.Nodes().NodeCount())) + 1;
+  }
+}
+
+void Renderer::TintStructures(double share, const std::vector<std::array<float, 3>>& colors)
+{
+  LIMPID_REQUIRE(share >= 0 && share <= 1,
+    "The share of the colours of structures is "
+      << share
+      << " (it blends the colours of the transfer functions with them). Keep it between 0 "
+         "and 1.");
+  for (const std::array<float, 3>& color : colors)
+  {
+    RequireColor("a structure", color);
+  }
+  this->State->Take(this->State->tint, share);
+  this->State->Take(this->State->structureColors, colors);
 }
 
 void Renderer::ComposeBy(Compositing compositing)

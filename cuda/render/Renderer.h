@@ -8,6 +8,7 @@
 #include "render/DrawnPart.h"
 #include "scene/Grid.h"
 #include "scene/RaySource.h"
+#include "scene/Structures.h"
 
 #include <array>
 #include <cstdint>
@@ -176,6 +177,14 @@ public:
   /// structures: these were removed, or are hidden and could be seen in that pixel (RayImportance).
   /// None: no paint.
   void ShowMissed(const std::optional<std::array<float, 3>>& color);
+
+  /// Sets the row of the structure at each node of the scalars; null: none, as after new scalars.
+  /// The array belongs to the caller and must stay valid.
+  void SetStructures(const StructureRow* rows);
+
+  /// Sets how far the colours of samples are moved to those of their structures [0, 1], and these
+  /// colours from row 1 on. What is in none of them keeps the transfer function's colour.
+  void TintStructures(double share, const std::vector<std::array<float, 3>>& colors);
 
   /// Sets the compositing of the following pictures. Without importance, it must be front to back.
   void ComposeBy(Compositing compositing);

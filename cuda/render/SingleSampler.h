@@ -57,6 +57,14 @@ struct SingleSampler
   /// Returns the last of the previous samples, followed by all but the last of the present ones.
   LIMPID_HD static LIMPID_INLINE float Shifted(float before, float) { return before; }
 
+  LIMPID_HD static LIMPID_INLINE Index CellOf(Index cell, int) { return cell; }
+
+  /// Reads four numbers.
+  LIMPID_HD static LIMPID_INLINE FourFloats Loaded(const FourFloats& numbers)
+  {
+    return LoadAtOnce(numbers);
+  }
+
   /// Returns the first nodes of cells.
   LIMPID_HD static LIMPID_INLINE void FindFirst(
     const CellGrid& grid, const int* before, Index& first)

@@ -16,7 +16,7 @@ namespace limpid
  * Adds the part of a ray from its most important object on (RayObject) to a pixel, Eqs. (1) to (6).
  * Bricks without importance (scene.unimportant) contain no objects and are not read.
  */
-template <class AnySampler, bool Lit, bool Overlaid>
+template <class AnySampler, bool Lit, bool Overlaid, bool Tinted>
 LIMPID_HD LIMPID_INLINE void TraceFromObject(
   const RayScene& scene, const Ray& ray, Pixel<typename AnySampler::Optical>& pixel)
 {
@@ -47,8 +47,9 @@ LIMPID_HD LIMPID_INLINE void TraceFromObject(
       object.Meet(LaneOf(place.distance, i), LaneOf(importance, i));
     }
   }
-  object.begin > 0.0f ? TraceRay<AnySampler, Lit, Overlaid>(scene, ray.From(object.begin), pixel)
-                      : TraceRay<AnySampler, Lit, Overlaid>(scene, ray, pixel);
+  object.begin > 0.0f
+    ? TraceRay<AnySampler, Lit, Overlaid, Tinted>(scene, ray.From(object.begin), pixel)
+    : TraceRay<AnySampler, Lit, Overlaid, Tinted>(scene, ray, pixel);
 }
 
 /**
@@ -56,7 +57,7 @@ LIMPID_HD LIMPID_INLINE void TraceFromObject(
  * important structures, unimportant matter only contributes to the opacity: it is not lit, and
  * skipped if the pixel is opaque (scene.opaqueBelow).
  */
-template <class AnySampler, bool Lit, bool Overlaid>
+template <class AnySampler, bool Lit, bool Overlaid, bool Tinted>
 LIMPID_HD LIMPID_INLINE void TraceMean(
   const RayScene& scene, const Ray& ray, Pixel<typename AnySampler::Optical>& pixel)
 {
@@ -99,10 +100,12 @@ LIMPID_HD LIMPID_INLINE void TraceMean(
     {
       samples.Light(scene, ray);
     }
+    const auto tints = samples.template Tints<Tinted>(scene, ray);
     const auto sent = Lit ? samples.SentOnAverage(scene) : typename AnySampler::Lanes(1.0f);
     for (int i = 0; i < AnySampler::count; ++i)
     {
-      mean.Add(0.5f * LaneOf(both, i), LaneOf(depth, i), LaneOf(sent, i), samples.Color(i));
+      mean.Add(0.5f * LaneOf(both, i), LaneOf(depth, i), LaneOf(sent, i),
+        tints.Over(i, 1.0f, samples.Color(i)));
     }
   }
   pixel.light = mean.Light();
@@ -110,18 +113,18 @@ LIMPID_HD LIMPID_INLINE void TraceMean(
 }
 
 /// Traces a ray by the given kind of compositing and adds it to a pixel.
-template <Compositing compositing, class AnySampler, bool Lit, bool Overlaid>
+template <Compositing compositing, class AnySampler, bool Lit, bool Overlaid, bool Tinted>
 LIMPID_HD LIMPID_INLINE void TraceAs(
   const RayScene& scene, const Ray& ray, Pixel<typename AnySampler::Optical>& pixel)
 {
   switch (compositing)
   {
     case Compositing::FrontToBack:
-      return TraceRay<AnySampler, Lit, Overlaid>(scene, ray, pixel);
+      return TraceRay<AnySampler, Lit, Overlaid, Tinted>(scene, ray, pixel);
     case Compositing::FromObject:
-      return TraceFromObject<AnySampler, Lit, Overlaid>(scene, ray, pixel);
+      return TraceFromObject<AnySampler, Lit, Overlaid, Tinted>(scene, ray, pixel);
     case Compositing::ImportanceMean:
-      return TraceMean<AnySampler, Lit, Overlaid>(scene, ray, pixel);
+      return TraceMean<AnySampler, Lit, Overlaid, Tinted>(scene, ray, pixel);
   }
 }
 }

@@ -13,9 +13,10 @@ namespace limpid
  * AnySampler processes at a time, computes the extinction between them, lights them if there is
  * any, and adds the segments front to back until the pixel is opaque.
  *
- * `Lit`: whether there is scene.gradient; `Overlaid`: whether there is scene.overlay.
+ * `Lit`: whether there is scene.gradient; `Overlaid`: whether there is scene.overlay; `Tinted`:
+ * whether there are scene.structures.
  */
-template <class AnySampler, bool Lit, bool Overlaid>
+template <class AnySampler, bool Lit, bool Overlaid, bool Tinted>
 LIMPID_HD LIMPID_INLINE void TraceRay(
   const RayScene& scene, const Ray& ray, Pixel<typename AnySampler::Optical>& pixel)
 {
@@ -42,7 +43,7 @@ LIMPID_HD LIMPID_INLINE void TraceRay(
       {
         samples.Light(scene, ray);
       }
-      samples.template AddTo<Lit>(scene, received);
+      samples.template AddTo<Lit, Tinted>(scene, ray, received);
     }
   }
   pixel = received;
