@@ -139,6 +139,9 @@ public:
   void SetJitter(int);
   void SetShowMissed(int);
   void SetMissedColor(double red, double green, double blue);
+  void SetStructureColors(double);
+  void AddLabelColor(double label, double red, double green, double blue);
+  void RemoveAllLabelColors();
   void SetAdaptiveQuality(int);
   void SetInteractiveFrameTime(double);
   void SetEaseTime(double);

@@ -37,6 +37,7 @@ LIMPID_FORWARD_AS(ScatteringAnisotropy, Anisotropy, double)
 LIMPID_FORWARD(SampleDistance, double)
 LIMPID_FORWARD(Jitter, int)
 LIMPID_FORWARD(ShowMissed, int)
+LIMPID_FORWARD(StructureColors, double)
 LIMPID_FORWARD(AdaptiveQuality, int)
 LIMPID_FORWARD(InteractiveFrameTime, double)
 LIMPID_FORWARD(EaseTime, double)
@@ -82,6 +83,17 @@ void vtkOptimizedVolumeRepresentation::SetExtinctionArray(int vtkNotUsed(index),
 void vtkOptimizedVolumeRepresentation::SetMissedColor(double red, double green, double blue)
 {
   this->State->Mapper->SetMissedColor(red, green, blue);
+}
+
+void vtkOptimizedVolumeRepresentation::AddLabelColor(
+  double label, double red, double green, double blue)
+{
+  this->State->Mapper->AddLabelColor(label, red, green, blue);
+}
+
+void vtkOptimizedVolumeRepresentation::RemoveAllLabelColors()
+{
+  this->State->Mapper->RemoveAllLabelColors();
 }
 
 void vtkOptimizedVolumeRepresentation::ResetOptimization()

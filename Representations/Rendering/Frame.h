@@ -38,9 +38,11 @@ struct FrameSettings
   bool jitter = false;
   bool showMissed = false; ///< paint over what misses important structures
   std::array<float, 3> missedColor{ { 1, 0, 1 } };
-  double frameTime = 0.1; ///< time limit of a frame during interaction [s]
-  double easeTime = 0.3;  ///< time constant of changes during interaction [s]
-  bool stepwise = false;  ///< still frames make one step of the optimisation only
+  double structureColors = 0; ///< share of the colours of structures in those of samples [0, 1]
+  std::vector<std::array<float, 3>> colorsOfRows; ///< of structures, from row 1 on
+  double frameTime = 0.1;                         ///< time limit of a frame during interaction [s]
+  double easeTime = 0.3; ///< time constant of changes during interaction [s]
+  bool stepwise = false; ///< still frames make one step of the optimisation only
 
   const Communicator* ranks = ThisProcess().get(); ///< those that draw the frame together
 

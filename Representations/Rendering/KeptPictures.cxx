@@ -29,7 +29,8 @@ bool AreSameFrames(const FrameSettings& one, const FrameSettings& other)
     one.paused == other.paused && one.solver == other.solver &&
     AreSameSets(one.views, other.views) && AreSameLights(one.light, other.light) &&
     one.lighting == other.lighting && one.lit == other.lit && one.showMissed == other.showMissed &&
-    one.missedColor == other.missedColor;
+    one.missedColor == other.missedColor && one.structureColors == other.structureColors &&
+    one.colorsOfRows == other.colorsOfRows;
 }
 
 bool AreSameGeometries(const ViewGeometry& one, const ViewGeometry& other)

@@ -7,6 +7,7 @@
 #include "Blanking.h"
 #include "Memory.h"
 #include "SharedImage.h"
+#include "StructureLabels.h"
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
@@ -451,6 +452,24 @@ void VolumeData::UpdateReferences(vtkImageData* image, const std::vector<FieldSo
   ++this->ReferenceChanges;
 }
 
+void VolumeData::UpdateStructures(
+  vtkImageData* image, const FieldSource& labels, vtkMTimeType structuresTime)
+{
+  const ArrayKey key = KeyOf(image, labels, structuresTime);
+  if (!(key == this->StructuresKey))
+  {
+    this->RowsOfStructures = nullptr;
+    this->StructuresKey = ArrayKey();
+    if (labels.array)
+    {
+      RequireOneEach(image, labels);
+      this->RowsOfStructures = RowsAtPoints(image, labels);
+    }
+    this->StructuresKey = key;
+    ++this->StructureChanges;
+  }
+}
+
 SceneFields VolumeData::Scene() const
 {
   SceneFields scene;
@@ -490,6 +509,8 @@ void VolumeData::Release()
   this->ScalarShares = {};
   this->Arrays = SceneArrays();
   this->LabelledParts = nullptr;
+  this->RowsOfStructures = nullptr;
+  this->StructuresKey = ArrayKey();
   this->Given = {};
   this->ReferenceKeys.clear();
   this->Tables.extinction.clear();

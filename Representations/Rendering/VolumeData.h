@@ -53,6 +53,11 @@ public:
   /// ReferenceSources.
   void UpdateReferences(vtkImageData* image, const std::vector<FieldSource>& sources);
 
+  /// Updates the rows of structures at the points of the image; a null array: they are not needed.
+  /// `structuresTime`: modification time of the structures. Not if ranks share the image.
+  void UpdateStructures(
+    vtkImageData* image, const FieldSource& labels, vtkMTimeType structuresTime);
+
   /// Frees memory.
   void Release();
 
@@ -83,6 +88,12 @@ public:
   /// Returns the row of the structure at each point. Requires Labelled().
   const StructureRow* StructureRows() const { return this->Arrays.structureRows->GetPointer(0); }
 
+  /// Returns the row of the structure at each point for colours; null: not needed.
+  const StructureRow* TintRows() const
+  {
+    return this->RowsOfStructures ? this->RowsOfStructures->GetPointer(0) : nullptr;
+  }
+
   /// Returns the scene of the optimisation. Requires HasImportance().
   SceneFields Scene() const;
 
@@ -106,6 +117,7 @@ public:
   std::uint64_t ScalarsVersion() const { return this->ScalarChanges; }
   std::uint64_t FunctionsVersion() const { return this->FunctionChanges; }
   std::uint64_t ImportanceVersion() const { return this->ImportanceChanges; }
+  std::uint64_t StructuresVersion() const { return this->StructureChanges; }
   std::uint64_t SceneVersion() const;
 
   /// Returns a warning about values that were not used as they are; may be empty.
@@ -178,6 +190,9 @@ private:
   SceneArrays Arrays;                  ///< base extinction and importance
   bool IsOfStructures = false; ///< whether the importance is that of structures, on any rank
   std::shared_ptr<const Structures> LabelledParts; ///< see Labelled
+  ArrayKey StructuresKey;
+  vtkSmartPointer<vtkUnsignedShortArray> RowsOfStructures; ///< see TintRows
+  std::uint64_t StructureChanges = 0;
   std::uint64_t BaseVersion = 0; ///< version of the functions the base was computed with
   std::uint64_t ImportanceChanges = 0;
 };

@@ -114,6 +114,7 @@ void VolumeView::UpdateRenderer(const FrameSettings& frame, const VolumeData& da
   {
     this->ScalarsVersion = 0;
     this->ImportanceVersion = 0; // new scalars invalidate it
+    this->StructuresVersion = 0;
     this->Caster.SetScalars(data.Drawn(), data.Scalars(), data.Shares());
     this->ScalarsVersion = data.ScalarsVersion();
   }
@@ -159,6 +160,19 @@ void VolumeView::UseImportance(
   }
   this->Caster.ShowMissed(frame.showMissed ? std::optional(frame.missedColor) : std::nullopt);
   this->Caster.ComposeBy(frame.Composing());
+}
+
+void VolumeView::UseStructures(const FrameSettings& frame, const VolumeData& data)
+{
+  const bool used = frame.structureColors > 0 && data.TintRows();
+  const std::uint64_t version = used ? data.StructuresVersion() : 0;
+  if (version != this->StructuresVersion)
+  {
+    this->StructuresVersion = 0;
+    this->Caster.SetStructures(used ? data.TintRows() : nullptr);
+    this->StructuresVersion = version;
+  }
+  this->Caster.TintStructures(used ? frame.structureColors : 0, frame.colorsOfRows);
 }
 
 double VolumeView::PixelSize(const FrameSettings& frame, const ViewGeometry& geometry)
@@ -305,6 +319,7 @@ void VolumeView::PrepareFrame(const FrameSettings& frame, const VolumeData& data
     messages.warnings.push_back(this->Backend.Warning());
   }
   this->UseImportance(frame, data, messages);
+  this->UseStructures(frame, data);
 
   FrameResult result;
   result.light = frame.light.description;
@@ -425,6 +440,7 @@ void VolumeView::ReleaseNow()
   this->ScalarsVersion = 0;
   this->FunctionsVersion = 0;
   this->ImportanceVersion = 0;
+  this->StructuresVersion = 0;
   this->Geometry.reset();
   this->Image = Picture();
   this->Part = Picture();

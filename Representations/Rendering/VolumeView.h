@@ -140,6 +140,7 @@ private:
   void ChoosePictures(BackendKind wish, const Grid& grid);
   void UpdateRenderer(const FrameSettings& frame, const VolumeData& data);
   void UseImportance(const FrameSettings& frame, const VolumeData& data, FrameMessages& messages);
+  void UseStructures(const FrameSettings& frame, const VolumeData& data);
   void Optimize(const FrameSettings& frame, const VolumeData& data, const ViewGeometry& geometry,
     const std::function<bool()>& isAborted, FrameMessages& messages, FrameResult& result);
   ViewOptimization::Look LastLook() const;
@@ -168,6 +169,7 @@ private:
   std::uint64_t ScalarsVersion = 0;
   std::uint64_t FunctionsVersion = 0;
   std::uint64_t ImportanceVersion = 0; ///< 0: pictures need no importance
+  std::uint64_t StructuresVersion = 0; ///< 0: pictures have no colours of structures
 
   ViewOptimization Optimization{ this->Caster };
   ViewShadows Shadows{ this->Caster };

@@ -98,6 +98,27 @@ void vtkTransmittanceVolumeMapper::SetMissedColor(const double color[3])
   this->SetMissedColor(color[0], color[1], color[2]);
 }
 
+void vtkTransmittanceVolumeMapper::AddLabelColor(
+  double label, double red, double green, double blue)
+{
+  this->State->LabelColors.push_back({ label, { { red, green, blue } } });
+  this->Modified();
+}
+
+void vtkTransmittanceVolumeMapper::RemoveAllLabelColors()
+{
+  if (!this->State->LabelColors.empty())
+  {
+    this->State->LabelColors.clear();
+    this->Modified();
+  }
+}
+
+int vtkTransmittanceVolumeMapper::GetNumberOfLabelColors() const
+{
+  return static_cast<int>(this->State->LabelColors.size());
+}
+
 void vtkTransmittanceVolumeMapper::SetAssumedImportance(vtkPiecewiseFunction* function)
 {
   if (function != this->AssumedImportance)
@@ -333,6 +354,8 @@ void vtkTransmittanceVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
   print("ShowMissed", this->ShowMissed);
   os << indent << "MissedColor: " << this->MissedColor[0] << " " << this->MissedColor[1] << " "
      << this->MissedColor[2] << "\n";
+  print("StructureColors", this->StructureColors);
+  print("NumberOfLabelColors", this->GetNumberOfLabelColors());
   print("InteractiveFrameTime", this->InteractiveFrameTime);
   print("EaseTime", this->EaseTime);
   print("AdaptiveQuality", this->AdaptiveQuality);

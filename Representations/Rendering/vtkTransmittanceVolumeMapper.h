@@ -345,6 +345,29 @@ public:
 
   ///@{
   /**
+   * How far the colors of samples are moved to those of their structures, in [0, 1]: 0 leaves those
+   * of the transfer function, 1 shows those of structures alone, lit like any other. What is in no
+   * structure keeps the color of the transfer function. A point between points of the image is in
+   * the structure that has most of them by trilinear weights, so borders are sharp at any zoom.
+   * Structures are the rows of AddStructure, and the labels are input array 3; without rows, all
+   * labels but 0 are one structure with one color. Default is 0.
+   */
+  LIMPID_SET_CLAMPED(StructureColors, double, 0, 1);
+  vtkGetMacro(StructureColors, double);
+  ///@}
+
+  ///@{
+  /**
+   * Gives the structure with a label a color: red, green and blue, in [0, 1]. Structures without
+   * one take colors of a fixed palette of 64 in the order of their rows. Default is none.
+   */
+  void AddLabelColor(double label, double red, double green, double blue);
+  void RemoveAllLabelColors();
+  int GetNumberOfLabelColors() const;
+  ///@}
+
+  ///@{
+  /**
    * Time limit of a frame during interaction [s]; above zero. Default is 0.1.
    */
   vtkSetMacro(InteractiveFrameTime, double);
@@ -590,6 +613,7 @@ private:
   vtkTypeBool Jitter = 0;
   vtkTypeBool ShowMissed = 0;
   double MissedColor[3] = { 1, 0, 1 };
+  double StructureColors = 0;
   double InteractiveFrameTime = 0.1;
   double EaseTime = 0.3;
   vtkTypeBool AdaptiveQuality = 1;

@@ -445,6 +445,7 @@ void vtkTransmittanceVolumeMapper::Internals::Draw(
   {
     this->Warn(importance.warning);
   }
+  this->UpdateStructures(image, choice.labels, frame);
   if (inParts && frame.Composing() != limpid::Compositing::FrontToBack)
   {
     this->Warn(std::string("Method is ") + limpid::InfoOf(frame.solver.method).name +

@@ -13,6 +13,7 @@
 #include "DrawingOrder.h"
 #include "MessageLog.h"
 #include "StartingImportance.h"
+#include "StructureTint.h"
 #include "VolumeData.h"
 #include "VolumeView.h"
 
@@ -83,6 +84,8 @@ struct vtkTransmittanceVolumeMapper::Internals
   Importance ImportanceOf(vtkImageData* image, const limpid::ImportanceChoice& choice);
   limpid::FieldSource GivenImportance(vtkImageData* image) const;
   void NoticeChanges(vtkImageData* image, vtkDataArray* scalars, vtkDataArray* extinction);
+  void UpdateStructures(
+    vtkImageData* image, const limpid::FieldSource& labels, limpid::FrameSettings& frame);
   limpid::CropRegion CropRegionOf(vtkVolume* volume) const;
   void RequirePossibleNumbers() const;
   limpid::FrameSettings MakeFrameSettings(vtkRenderer* renderer, vtkVolume* volume);
@@ -113,7 +116,8 @@ struct vtkTransmittanceVolumeMapper::Internals
   vtkNew<vtkTable> Structures;         ///< see GetStructureTable
   limpid::MessageLog Log;
   std::string Messages; ///< messages of the last frame
-  int Drawing = 0;      ///< number of nested calls to Render
+  std::vector<limpid::LabelColor> LabelColors;
+  int Drawing = 0; ///< number of nested calls to Render
   bool ReleaseAfter = false;
 };
 

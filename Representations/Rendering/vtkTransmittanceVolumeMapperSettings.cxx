@@ -214,6 +214,35 @@ vtkTransmittanceVolumeMapper::Internals::ImportanceOf(
   return importance;
 }
 
+// Finds the colours of structures. If there are none, the volume is drawn without.
+void vtkTransmittanceVolumeMapper::Internals::UpdateStructures(
+  vtkImageData* image, const limpid::FieldSource& labels, limpid::FrameSettings& frame)
+{
+  try
+  {
+    if (frame.structureColors > 0 && !labels.array)
+    {
+      this->Warn("StructureColors is " + std::to_string(frame.structureColors) +
+        " and no structure array is chosen (it has the labels of the structures): the colors of "
+        "the transfer function are shown. Choose StructureArray, or set StructureColors to 0.");
+    }
+    const bool used = frame.structureColors > 0 && labels.array;
+    if (used)
+    {
+      frame.colorsOfRows = limpid::ColorsOf(*labels.structures, this->LabelColors);
+      const std::string warning = limpid::WarningOf(*labels.structures, this->LabelColors);
+      warning.empty() ? void() : this->Warn(warning);
+    }
+    this->Data.UpdateStructures(
+      image, used ? labels : limpid::FieldSource(), this->Self->Settings->GetStructuresMTime());
+  }
+  catch (const std::exception& error)
+  {
+    frame.structureColors = 0;
+    this->Error(this->MessageOf(error) + " The volume is drawn without colors of structures.");
+  }
+}
+
 limpid::CropRegion vtkTransmittanceVolumeMapper::Internals::CropRegionOf(vtkVolume* volume) const
 {
   limpid::CropRegion region;
@@ -264,6 +293,7 @@ void vtkTransmittanceVolumeMapper::Internals::RequirePossibleNumbers() const
     "Anisotropy is "
       << self->Anisotropy
       << " (the phase function is not defined for it). Set a number above -1 and below 1.");
+  RequireShare("StructureColors", self->StructureColors);
   RequireNotNegative("Specular", self->Specular);
   RequireNotNegative("SpecularPower", self->SpecularPower);
   RequireNotNegative("LightIntensity", self->LightIntensity);
@@ -344,6 +374,13 @@ void vtkTransmittanceVolumeMapper::Internals::LeaveWhatIsNotShared(limpid::Frame
                "at them in distributed runs): the importances given are used. Use the Extinction "
                "Optimizer, which aims at them.");
   }
+  if (frame.structureColors > 0)
+  {
+    this->Warn("StructureColors is " + std::to_string(frame.structureColors) +
+      " and several processes share the image (this is not supported in distributed runs): the "
+      "colors of the transfer function are shown. Run one process.");
+    frame.structureColors = 0;
+  }
   if (frame.sampleDistance > limpid::farthestShared)
   {
     this->Warn("SampleDistance is " + std::to_string(frame.sampleDistance) +
@@ -384,6 +421,7 @@ limpid::FrameSettings vtkTransmittanceVolumeMapper::Internals::MakeFrameSettings
   frame.showMissed = self->ShowMissed != 0;
   std::transform(self->MissedColor, self->MissedColor + 3, frame.missedColor.begin(),
     [](double channel) { return static_cast<float>(channel); });
+  frame.structureColors = self->StructureColors;
   frame.frameTime = self->InteractiveFrameTime;
   frame.easeTime = self->EaseTime;
   frame.stepwise = self->ProgressiveStill != 0;

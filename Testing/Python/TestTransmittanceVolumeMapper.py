@@ -36,6 +36,7 @@ class TestProperties(MapperTest):
                 LightPosition=(1.0, 2.0, 3.0), Shadows=0, ShadowStrength=0.5, Ambient=0.1,
                 Anisotropy=0.1, Specular=0.2, SpecularPower=3.0, LightIntensity=2.0,
                 SampleDistance=0.5, Jitter=1, ShowMissed=1, MissedColor=(0.1, 0.2, 0.3),
+                StructureColors=0.5,
                 InteractiveFrameTime=0.2, EaseTime=0.1,
                 AdaptiveQuality=0, ProgressiveStill=1, DeferStill=1,
                 AssumedImportance=vtkPiecewiseFunction(),
