@@ -279,6 +279,34 @@ class TestOptimizedVolumePictures(displays.DisplayTest):
             display.ShowMissed = 0
             np.testing.assert_array_equal(pictures.take(self.view), without)
 
+    def test_structures_have_their_colors_also_through_a_state(self):
+        labels = simple.Calculator(Input=simple.OcclusionPhantom(Resolution=48, Scene="Head"),
+                                   ResultArrayName="Label", Function="if(coordsX > 0, 2, 1)")
+        display = displays.show(labels, self.view)
+        for name, value in ORDINARY.items():
+            setattr(display, name, value)
+        display.StructureArray = ["POINTS", "Label"]
+        display.Structures = ["1", "left", "1", "", "2", "right", "1", ""]
+        without = pictures.take(self.view)
+        display.StructureColors = 1
+        display.LabelColors = [1, 0, 0, 1, 2, 0, 1, 0]
+        tinted = pictures.take(self.view)
+        pictures.write(os.path.join(os.environ.get("LIMPID_TEST_OUTPUT", tempfile.gettempdir()),
+                                    "structure-colors.png"), tinted)
+        background = 255 * np.array(displays.BACKGROUND)
+        seen = (np.abs(tinted - background).max(axis=2) > 60)
+        green = seen & (tinted[..., 1] > tinted[..., 2] + 60)
+        blue = seen & (tinted[..., 2] > tinted[..., 1] + 60)
+        self.assertGreater(green.sum(), 500)
+        self.assertGreater(blue.sum(), 500)
+        # No red, but for the background behind.
+        self.assertLessEqual(tinted[seen][:, 0].max(), background[0] + 1)
+        self.assertEqual(display.Messages, "")
+        display.StructureColors = 0
+        np.testing.assert_array_equal(pictures.take(self.view), without)
+        display.StructureColors = 1
+        self.assertEqual(pictures.difference(pictures.take(displays.through_a_state()), tinted)[0], 0)
+
     def test_the_score_is_drawn_in_the_upper_left_corner(self):
         display = displays.show_head(self.view, ScoreInScreenshots=1)
         without = pictures.take(self.view)
