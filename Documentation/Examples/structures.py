@@ -3,10 +3,11 @@
 
 """A picture of some structures of a segmentation, and what is seen of each.
 
-  pvpython structures.py PLUGIN IMAGE.vti LABELS.vti PICTURE.png LABEL:NAME:IMPORTANCE …
+  pvpython structures.py PLUGIN IMAGE.vti LABELS.vti PICTURE.png LABEL:NAME:IMPORTANCE[:TARGET] …
 
 Both images have the same points. Prints a row per structure: shares of it that are visible, without
-Limpid and with it, of at most how much from there, and what was removed of it.
+Limpid and with it, of at most how much from there, and what was removed of it. A target is the
+share of it that should be visible, such as 0.9.
 """
 
 import sys
@@ -24,7 +25,7 @@ def main(plugin, image, labels, picture, *structures):
     both = AppendAttributes(Input=[image, labels])
     both.UpdatePipeline()
     scalars, labels = image.PointData.keys()[0], labels.PointData.keys()[0]
-    rows = [text for structure in structures for text in (*structure.split(":"), "")]
+    rows = [text for structure in structures for text in (structure + ":").split(":")[:4]]
 
     view = CreateView("RenderView")
     view.ViewSize = [640, 480]
@@ -40,6 +41,7 @@ def main(plugin, image, labels, picture, *structures):
     display.ScalarOpacityUnitDistance = UNIT_DISTANCE
     display.StructureArray = ["POINTS", labels]
     display.Structures = rows
+    display.StructureColors = 0.5
     ResetCamera(view)
     view.CameraPosition = [view.CameraFocalPoint[0], view.CameraFocalPoint[1] - 900,
                            view.CameraFocalPoint[2] + 200]

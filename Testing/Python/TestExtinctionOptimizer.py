@@ -700,6 +700,7 @@ class TestDegenerateInput(OptimizerTest):
         image = image_of((5, 6, 1), BaseExtinction=np.ones(30), Importance=np.ones(30))
         volume = phantom(12)
         volume.GetPointData().RemoveArray("Scalars")
+        volume.GetPointData().RemoveArray("Structure")
         for properties in ({}, {"Mode": 1}, {"Method": vtkExtinctionOptimizer.AMENT_2017},
                            {"OptimizeViewpoint": 1}):
             with self.subTest(properties):
