@@ -339,6 +339,14 @@ class TestShares(StructuresTest):
                       self.warnings[0])
         np.testing.assert_array_equal(vtk_to_numpy(columns["Weight"]), [0.25, 0.5, 1])
 
+    def test_of_methods_that_do_not_iterate_are_not_aimed_at(self):
+        _, columns = self.run_filter((65535, "core", 0.5, 0.3),
+                                     Method=vtkExtinctionOptimizer.ORDINARY)
+
+        self.assertEqual(columns["Weight"].GetTuple1(0), 0.5)
+        self.assertEqual(len(self.warnings), 1)
+        self.assertIn("the method Ordinary does not aim at targets", self.warnings[0])
+
     def test_are_aimed_at_until_an_abort(self):
         image = phantom(20)
         add(image.GetPointData(), "Labels", (values(image, "Importance") > 0.3).astype(np.uint8))

@@ -93,10 +93,17 @@ std::string WarningOf(const LabelledScene& scene, const Solver& solver, bool kee
   const std::string missed = NamesIn(TargetState::Missed, found.structures, found.shares);
   if (!missed.empty())
   {
-    warning += "Less is visible of " + missed + " than the targets ask: " + found.text +
-      " (after " + std::to_string(found.runs) +
-      " runs, what one structure gains another loses). Lower one of the targets, or the "
-      "importance of other structures.\n";
+    const MethodInfo& method = InfoOf(solver.Options().method);
+    std::string why = std::string("the method ") + method.name +
+      " does not aim at targets). Use the method Optimized.";
+    if (method.iterates)
+    {
+      why = std::to_string(found.runs) +
+        " runs have found no importances that show as much of all of them). Lower one of the "
+        "targets, or the importance of other structures.";
+    }
+    warning +=
+      "Less is visible of " + missed + " than the targets ask: " + found.text + " (" + why + "\n";
   }
   return warning.substr(0, warning.find_last_not_of('\n') + 1);
 }
