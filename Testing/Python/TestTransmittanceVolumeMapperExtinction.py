@@ -297,7 +297,8 @@ class TestArray(MapperTest):
     def test_that_is_missing_is_named(self):
         view, mapper = show(linear_phantom(), ExtinctionSource=Mapper.ARRAY,
                             ExtinctionArray="Absent")
-        self.assert_says(view, '"Absent"', "Scalars, Importance, BaseExtinction, Extinction",
+        self.assert_says(view, '"Absent"',
+                         "Scalars, Importance, BaseExtinction, Structure, Extinction",
                          "ExtinctionSource")
         self.assert_empty(view.pixels())
         self.assert_sane(view, mapper)
