@@ -18,6 +18,7 @@
 #include "vtkUnsignedCharArray.h"
 
 #include "math/Require.h"
+#include "optimize/SceneStructures.h"
 #include "optimize/Solver.h"
 #include "scene/ImageGrid.h"
 
@@ -219,10 +220,8 @@ void ConvertImportance(vtkImageData* image, const FieldSource& source, SceneArra
   RequireOneEach(image, source);
   arrays.structureRows = RowsAtPoints(image, source);
   arrays.importance = NewArray<vtkFloatArray>("Importance", image->GetNumberOfPoints());
-  const StructureRow* rows = arrays.structureRows->GetPointer(0);
-  std::transform(rows, rows + image->GetNumberOfPoints(), arrays.importance->GetPointer(0),
-    [&source](StructureRow row)
-    { return static_cast<float>(source.structures->ImportanceOf(row)); });
+  FillImportance(*source.structures, arrays.structureRows->GetPointer(0),
+    image->GetNumberOfPoints(), arrays.importance->GetPointer(0));
 }
 
 SceneArrays ConvertScene(

@@ -53,9 +53,9 @@ struct Found
   int runs;
 };
 
-Found Search(const SharedLight& light, const std::vector<Structure>& all)
+/// Searches to the end.
+Found RunAll(const SharedLight& light, TargetSearch& search)
 {
-  TargetSearch search(Structures(all), {});
   int runs = 1;
   std::vector<StructureShares> shares = light.Of(search);
   while (search.Next(shares))
@@ -64,6 +64,12 @@ Found Search(const SharedLight& light, const std::vector<Structure>& all)
     ++runs;
   }
   return { shares, search.Tried(), runs };
+}
+
+Found Search(const SharedLight& light, const std::vector<Structure>& all)
+{
+  TargetSearch search(Structures(all), {});
+  return RunAll(light, search);
 }
 }
 
@@ -92,11 +98,7 @@ TEST(TargetSearch, LowersTheOthersWhereOneIsNotEnough)
 {
   const SharedLight light{ { 0.9, 0.9 } };
   TargetSearch search(Structures({ { 1, "", 1, 0.8 }, { 2, "", 1, {} } }), {});
-  std::vector<StructureShares> shares = light.Of(search);
-  while (search.Next(shares))
-  {
-    shares = light.Of(search);
-  }
+  RunAll(light, search);
   const Structures& found = search.Tried();
   EXPECT_EQ(found.At(1).importance, 1);
   EXPECT_LT(found.At(2).importance, 0.2);
@@ -136,15 +138,11 @@ TEST(TargetSearch, BeginsAgainWhereItEnded)
 {
   const SharedLight light{ { 0.9, 0.9 } };
   TargetSearch search(Structures({ { 1, "", 0.2, 0.6 }, { 2, "", 1, {} } }), {});
-  std::vector<StructureShares> shares = light.Of(search);
-  while (search.Next(shares))
-  {
-    shares = light.Of(search);
-  }
+  RunAll(light, search);
   TargetSearch again = search.Again({});
   EXPECT_EQ(again.Tried().At(1).importance, search.Tried().At(1).importance);
   EXPECT_EQ(again.Tried().At(2).importance, search.Tried().At(2).importance);
-  shares = light.Of(again);
+  std::vector<StructureShares> shares = light.Of(again);
   EXPECT_FALSE(again.Next(shares));
 }
 

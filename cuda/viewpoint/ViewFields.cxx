@@ -224,6 +224,16 @@ ViewFields::ViewFields(const Grid& grid, const ViewedFields& viewed)
   this->Exchanged = make(grid, viewed, box, Axes::Exchanged);
 }
 
+bool ViewFields::AreShared() const
+{
+  return !this->Here->ranks->IsAlone();
+}
+
+bool ViewFields::AnyOf(bool here) const
+{
+  return this->Here->ranks->AnyOf(here);
+}
+
 std::string ViewFields::Describe(const std::string& backend) const
 {
   return NameOnRanks(backend, *this->Here->ranks);

@@ -4,7 +4,6 @@
 #ifndef limpid_viewpoint_ViewFields_h
 #define limpid_viewpoint_ViewFields_h
 
-#include "distributed/ScenePiece.h"
 #include "scene/Grid.h"
 #include "scene/RaySource.h"
 #include "sweep/FieldSlabs.h"
@@ -16,6 +15,8 @@
 
 namespace limpid
 {
+struct ScenePiece;
+
 /// The fields that views show, one value per node each; the caller owns them.
 struct ViewedFields
 {
@@ -55,10 +56,10 @@ public:
   ViewFields(const Grid& grid, const ViewedFields& viewed);
 
   /// Whether other processes share the fields. Sweeps are then collective.
-  bool AreShared() const { return !this->Here->ranks->IsAlone(); }
+  bool AreShared() const;
 
   /// Returns whether a condition holds in any process that shares the fields. Collective.
-  bool AnyOf(bool here) const { return this->Here->ranks->AnyOf(here); }
+  bool AnyOf(bool here) const;
 
   /// Describes a backend for the user, given the name of what computes in this process.
   std::string Describe(const std::string& backend) const;
