@@ -298,42 +298,30 @@ bool RowSampler::HasAbove(const Range<int>& columns, float bound) const
     AnyAbove(this->Rays.extinction[1], columns, bound);
 }
 
-PointSample RowSampler::SampleAt(const RayFields<Field>& fields, float share, int column) const
+RowSampler::LayerPlace RowSampler::PlaceAt(float share, int column) const
 {
   const Slice& slice = this->Frustum.SliceAt(this->S);
   const double depth = this->Rays.layer.front + double(share) * this->Rays.layer.thickness;
-  const NodePair u =
-    NodesAt(this->Frustum.Row(this->Frustum.columnLines)[column].At(depth), this->Frustum.nodesU);
-  const NodePair v = NodesAt(
-    this->Frustum.Row(this->Frustum.rowLines)[this->RowNumber].At(depth), this->Frustum.nodesV);
-  const float along = slice.FractionAt(share);
-  const auto sample = [&](const auto& nodeOf)
-  {
-    const auto across = [&](int node)
-    {
-      const auto row = [&](int number)
-      {
-        const float first = nodeOf(node, number, u.first);
-        return first + u.weight * (nodeOf(node, number, u.first + 1) - first);
-      };
-      const float first = row(v.first);
-      return first + v.weight * (row(v.first + 1) - first);
-    };
-    const float front = across(slice.nodes[0]);
-    return front + along * (across(slice.nodes[1]) - front);
-  };
-  const auto valuesOf = [](Field field)
-  { return [field](int node, int row, int at) { return field->Row(node, row)[at]; }; };
-  const auto extinction = valuesOf(fields.extinction);
+  return { slice.nodes,
+    NodesAt(
+      this->Frustum.Row(this->Frustum.rowLines)[this->RowNumber].At(depth), this->Frustum.nodesV),
+    NodesAt(this->Frustum.Row(this->Frustum.columnLines)[column].At(depth), this->Frustum.nodesU),
+    slice.FractionAt(share) };
+}
+
+PointSample RowSampler::SampleAt(const RayFields<Field>& fields, float share, int column) const
+{
+  const LayerPlace place = this->PlaceAt(share, column);
+  const auto extinction = ValuesOf(fields.extinction);
   const float inView = this->Frustum.seesAll
     ? 1.0f
     : this->Frustum.OfRow(this->Frustum.inView, this->RowNumber)[column];
   const auto lesser = [&](int node, int row, int at)
-  { return std::min(extinction(node, row, at), fields.base->Row(node, row)[at]); };
+  { return std::min(extinction(node, row, at), ValuesOf(fields.base)(node, row, at)); };
   PointSample found;
-  found.extinction = sample(extinction);
-  found.importance = inView * sample(valuesOf(fields.importance));
-  found.kept = fields.base ? sample(lesser) : found.extinction;
+  found.extinction = place.Blend(extinction);
+  found.importance = inView * place.Blend(ValuesOf(fields.importance));
+  found.kept = fields.base ? place.Blend(lesser) : found.extinction;
   return found;
 }
 

@@ -252,6 +252,42 @@ public:
   }
 
 protected:
+  /// The eight nodes about a point of a ray, and their weights.
+  struct LayerPlace
+  {
+    const int (&nodes)[2]; ///< of the two slices
+    NodePair row;
+    NodePair column;
+    float along; ///< weight of the second slice
+
+    /// Interpolates the values at(node of the slice, row, column).
+    template <class ValueAt>
+    float Blend(const ValueAt& at) const
+    {
+      const auto across = [&](int node)
+      {
+        const auto alongRow = [&](int number)
+        {
+          const float first = at(node, number, this->column.first);
+          return first + this->column.weight * (at(node, number, this->column.first + 1) - first);
+        };
+        const float first = alongRow(this->row.first);
+        return first + this->row.weight * (alongRow(this->row.first + 1) - first);
+      };
+      const float front = across(this->nodes[0]);
+      return front + this->along * (across(this->nodes[1]) - front);
+    }
+  };
+
+  /// Returns the place of ray `column` at a fraction of the layer's thickness.
+  LayerPlace PlaceAt(float share, int column) const;
+
+  /// Returns a function for LayerPlace::Blend.
+  static auto ValuesOf(Field field)
+  {
+    return [field](int node, int row, int at) { return field->Row(node, row)[at]; };
+  }
+
   const FaceFrustum& Frustum;
   int RowNumber;
   int S = 0; ///< slice in front of the layer
@@ -298,9 +334,15 @@ private:
   void StepOneByOne(const Range<int>& columns, const RayFields<Field>& fields,
     const Resolve& resolve, const Step& step) const
   {
+    const RowBetweenSlices layer{ this->Frustum, this->S, this->RowNumber, this->Rays, fields };
+    const float* densest = this->FindResolved(columns, layer, resolve);
     int begin = columns.begin;
     for (int i = columns.begin; i < columns.end; ++i)
     {
+      if (densest[i] < 0.0f)
+      {
+        continue;
+      }
       StepResolved(
         this->Rays.template At<LayerCrossing::Clipped>(i), *this, fields, resolve, i, i,
         [&](const auto& ray, Index)
