@@ -365,6 +365,10 @@ void ViewOptimization::MeasureStructures(
     const Structures* tried = this->Targets.Tried();
     known->shares = this->Optimizer->SharesFrom(look.camera, tried ? *tried : *data.Labelled(),
       data.StructureRows(), seen, look.opaque ? &*look.opaque : nullptr);
+    if (!this->IsBaseView && AreSame(look.camera, this->ViewCameras.front()))
+    {
+      this->Targets.RaiseCeilings(known->shares);
+    }
   }
   catch (const Interrupted&)
   {

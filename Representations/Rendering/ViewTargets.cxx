@@ -80,6 +80,14 @@ bool ViewTargets::Judge(std::vector<StructureShares> shares)
   return this->IsOpen;
 }
 
+void ViewTargets::RaiseCeilings(std::vector<StructureShares>& shares) const
+{
+  if (this->Search)
+  {
+    this->Search->RaiseCeilings(shares);
+  }
+}
+
 SceneFields ViewTargets::Scene(const VolumeData& data)
 {
   SceneFields scene = data.Scene();

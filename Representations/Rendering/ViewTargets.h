@@ -45,6 +45,9 @@ public:
   /// Returns the structures with the importances that are tried; null: those given are.
   const Structures* Tried() const { return this->Search ? &this->Search->Tried() : nullptr; }
 
+  /// Raises ceilings as Judge does. `shares`: from the camera of the view.
+  void RaiseCeilings(std::vector<StructureShares>& shares) const;
+
   /// Returns a warning about targets that are not met; may be empty.
   const std::string& Warning() const { return this->Unmet; }
 

@@ -149,6 +149,14 @@ void TargetSearch::Begin(const std::vector<StructureShares>& shares)
   this->Steps = std::make_unique<BroydenSteps>(this->Aims.size());
 }
 
+void TargetSearch::RaiseCeilings(std::vector<StructureShares>& shares) const
+{
+  for (std::size_t i = 0; i < std::min(shares.size(), this->Ceilings.size()); ++i)
+  {
+    shares[i].attainable = std::max(shares[i].attainable, this->Ceilings[i]);
+  }
+}
+
 bool TargetSearch::Next(std::vector<StructureShares>& shares)
 {
   ++this->Runs;
@@ -156,10 +164,7 @@ bool TargetSearch::Next(std::vector<StructureShares>& shares)
   {
     this->Begin(shares);
   }
-  for (std::size_t i = 0; i < shares.size(); ++i)
-  {
-    shares[i].attainable = std::max(shares[i].attainable, this->Ceilings[i]);
-  }
+  this->RaiseCeilings(shares);
   const double shortfall = this->ShortfallOf(shares);
   if (this->Repeats || shortfall <= tolerance)
   {

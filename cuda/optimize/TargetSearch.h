@@ -67,9 +67,12 @@ public:
   /// Whether structures are protected as the settings ask.
   bool KeepsProtection() const { return this->Protects; }
 
-  /// Takes the shares that were found with Tried(), and raises their ceilings to those of the first
-  /// run: more important structures are protected more, and hide more of themselves. Returns
-  /// whether to try others; if not, Tried() is the best that was found.
+  /// Raises ceilings to those of the first run: more important structures are protected more, and
+  /// hide more of themselves. `shares`: from the camera of the search.
+  void RaiseCeilings(std::vector<StructureShares>& shares) const;
+
+  /// Takes the shares that were found with Tried(), and raises their ceilings. Returns whether to
+  /// try others; if not, Tried() is the best that was found.
   bool Next(std::vector<StructureShares>& shares);
 
 private:
