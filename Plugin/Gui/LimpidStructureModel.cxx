@@ -2,14 +2,36 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LimpidStructureModel.h"
 
+#include "StructurePalette.h"
+
 #include <QIcon>
+#include <QPixmap>
 
 #include <algorithm>
 
 namespace
 {
+const int SWATCH = 16;            // side of a colour's square [pixels]
 const std::size_t SHARES = 4;     // per row of StructureShares
 const std::size_t ATTAINABLE = 3; // the last of them
+
+// Returns an iterator to the colour that a label was given, or the end.
+template <class LabelColors>
+auto Find(LabelColors& colors, double label)
+{
+  return std::find_if(
+    colors.begin(), colors.end(), [label](const auto& given) { return given[0] == label; });
+}
+
+// Returns an icon that looks the same in selected rows.
+QIcon Swatch(const QColor& color)
+{
+  QPixmap square(SWATCH, SWATCH);
+  square.fill(color);
+  QIcon icon(square);
+  icon.addPixmap(square, QIcon::Selected);
+  return icon;
+}
 
 QString Percent(double share, int decimals)
 {
@@ -75,6 +97,54 @@ void LimpidStructureModel::tellOfAll()
     Q_EMIT this->dataChanged(
       this->index(0, 0), this->index(static_cast<int>(this->Rows.size()) - 1, COLUMNS - 1));
   }
+}
+
+QVariantList LimpidStructureModel::colors() const
+{
+  QVariantList numbers;
+  for (const LabelColor& given : this->GivenColors)
+  {
+    std::copy(given.begin(), given.end(), std::back_inserter(numbers));
+  }
+  return numbers;
+}
+
+void LimpidStructureModel::setColors(const QVariantList& numbers)
+{
+  this->GivenColors.resize(static_cast<std::size_t>(numbers.size()) / LabelColor().size());
+  int next = 0;
+  for (LabelColor& given : this->GivenColors)
+  {
+    std::generate(given.begin(), given.end(), [&] { return numbers[next++].toDouble(); });
+  }
+  this->tellOfAll();
+}
+
+QColor LimpidStructureModel::colorOf(int row) const
+{
+  const auto given = Find(this->GivenColors, this->value(row, LABEL).toDouble());
+  if (given != this->GivenColors.end())
+  {
+    const auto channel = [&given](std::size_t at) { return std::clamp((*given)[at], 0., 1.); };
+    return QColor::fromRgbF(channel(1), channel(2), channel(3));
+  }
+  const auto& bytes = limpid::PaletteColor(static_cast<std::size_t>(row));
+  return { bytes[0], bytes[1], bytes[2] };
+}
+
+void LimpidStructureModel::paint(const std::vector<int>& rows, const QColor& color)
+{
+  for (const int row : rows)
+  {
+    const double label = this->value(row, LABEL).toDouble();
+    auto given = Find(this->GivenColors, label);
+    if (given == this->GivenColors.end())
+    {
+      given = this->GivenColors.insert(given, LabelColor());
+    }
+    *given = { { label, color.red() / 255., color.green() / 255., color.blue() / 255. } };
+  }
+  this->tellOfAll();
 }
 
 void LimpidStructureModel::setShares(const std::vector<double>& shares)
@@ -198,6 +268,8 @@ QVariant LimpidStructureModel::value(int row, int column) const
   {
     case IMPORTANT:
       return isImportant(here);
+    case COLOR:
+      return this->colorOf(row).hue();
     case NAME:
       return here[NAME_TEXT];
     case LABEL:
@@ -224,6 +296,10 @@ QVariant LimpidStructureModel::data(const QModelIndex& index, int role) const
     const bool isChecked = this->value(index.row(), column).toBool();
     return role == Qt::CheckStateRole ? QVariant(isChecked ? Qt::Checked : Qt::Unchecked)
                                       : QVariant();
+  }
+  if (column == COLOR)
+  {
+    return role == Qt::DecorationRole ? Swatch(this->colorOf(index.row())) : QVariant();
   }
   if (role == Qt::ToolTipRole && column == NAME)
   {
@@ -282,11 +358,13 @@ QVariant LimpidStructureModel::headerData(int section, Qt::Orientation orientati
   {
     return QIcon(":/pqWidgets/Icons/pqEyeball.svg");
   }
-  static const std::array<const char*, COLUMNS> titles{ { "", QT_TR_NOOP("Name"),
+  static const std::array<const char*, COLUMNS> titles{ { "", "", QT_TR_NOOP("Name"),
     QT_TR_NOOP("Label"), QT_TR_NOOP("Importance"), QT_TR_NOOP("Target"), QT_TR_NOOP("Visible") } };
   static const std::array<const char*, COLUMNS> toolTips{
-    { QT_TR_NOOP("Whether the structure is important."), QT_TR_NOOP("Name of the structure."),
-      QT_TR_NOOP("Its value in the structure array."),
+    { QT_TR_NOOP("Whether the structure is important."),
+      QT_TR_NOOP("Color of the structure, which the picture has with StructureColors. Double-click "
+                 "to choose another. Of several selected rows, all are changed."),
+      QT_TR_NOOP("Name of the structure."), QT_TR_NOOP("Its value in the structure array."),
       QT_TR_NOOP("How important it is, from 0 to 1. Of several selected rows, all are changed."),
       QT_TR_NOOP("Share that should be visible (%), or nothing. Of several selected rows, all are "
                  "changed."),

@@ -5,15 +5,16 @@
  * @class   LimpidStructureModel
  * @brief   the structures of a segmentation as an editable table
  *
- * A row each: whether it is important, name, label, importance, target share, and what the last
- * picture shows of it. A structure that becomes unimportant keeps its importance in memory, and has
- * it again when it becomes important.
+ * A row each: whether it is important, colour, name, label, importance, target share, and what the
+ * last picture shows of it. A structure that becomes unimportant keeps its importance in memory,
+ * and has it again when it becomes important.
  */
 
 #ifndef LimpidStructureModel_h
 #define LimpidStructureModel_h
 
 #include <QAbstractTableModel>
+#include <QColor>
 #include <QHash>
 #include <QString>
 #include <QVariant>
@@ -31,12 +32,13 @@ public:
   enum Column
   {
     IMPORTANT = 0,
-    NAME = 1,
-    LABEL = 2,
-    IMPORTANCE = 3,
-    TARGET = 4,
-    VISIBLE = 5,
-    COLUMNS = 6
+    COLOR = 1,
+    NAME = 2,
+    LABEL = 3,
+    IMPORTANCE = 4,
+    TARGET = 5,
+    VISIBLE = 6,
+    COLUMNS = 7
   };
 
   /// Data by which rows are sorted.
@@ -51,6 +53,18 @@ public:
   QVariantList texts() const;
   void setTexts(const QVariantList& texts);
   ///@}
+
+  ///@{
+  /// The colours that labels were given, as the property LabelColors has them: label, red, green
+  /// and blue of each. Other rows have colours of the palette.
+  QVariantList colors() const;
+  void setColors(const QVariantList& numbers);
+  ///@}
+
+  QColor colorOf(int row) const;
+
+  /// Gives rows a colour.
+  void paint(const std::vector<int>& rows, const QColor& color);
 
   /// Sets what the last picture shows, as the property StructureShares has it. Ignored unless it is
   /// for all rows.
@@ -90,6 +104,8 @@ private:
   };
   using Row = std::array<QString, TEXTS>;
 
+  using LabelColor = std::array<double, 4>; // label, red, green and blue
+
   static bool isImportant(const Row& row) { return row[IMPORTANCE_TEXT].toDouble() > 0; }
   void setImportance(Row& row, const QString& importance);
   void setImportant(Row& row, bool important);
@@ -99,6 +115,7 @@ private:
   void tellOfAll();
 
   std::vector<Row> Rows;
+  std::vector<LabelColor> GivenColors;      // see setColors
   std::vector<double> Shares;               // see setShares; empty: unknown
   QHash<QString, QString> FormerImportance; // of unimportant structures, by label
 };

@@ -16,6 +16,7 @@
 #include "vtkSMProxy.h"
 #include "vtkSMRenderViewProxy.h"
 
+#include <QColorDialog>
 #include <QDoubleSpinBox>
 #include <QFileDialog>
 #include <QGridLayout>
@@ -49,7 +50,8 @@ protected:
   {
     const int column = index.column();
     const bool isValue = column == LimpidStructureModel::IMPORTANT ||
-      column == LimpidStructureModel::IMPORTANCE || column == LimpidStructureModel::TARGET;
+      column == LimpidStructureModel::COLOR || column == LimpidStructureModel::IMPORTANCE ||
+      column == LimpidStructureModel::TARGET;
     const auto* mouse = dynamic_cast<const QMouseEvent*>(event);
     const bool keeps = isValue && mouse && mouse->modifiers() == Qt::NoModifier &&
       this->selectionModel()->isSelected(index);
@@ -116,6 +118,13 @@ LimpidStructures::LimpidStructures(
   this->connect(load, &QPushButton::clicked, this, &LimpidStructures::loadNames);
   this->connect(this->Model, &LimpidStructureModel::edited, this, &LimpidStructures::takeEdit);
   this->addPropertyLink(this, "structures", SIGNAL(structuresChanged()), structures);
+  vtkSMProperty* colors = owner->GetProperty("LabelColors");
+  this->Table->setColumnHidden(LimpidStructureModel::COLOR, !colors);
+  if (colors)
+  {
+    this->addPropertyLink(this, "colors", SIGNAL(colorsChanged()), colors);
+    this->connect(this->Table, &QTableView::doubleClicked, this, &LimpidStructures::chooseColor);
+  }
   vtkSMProperty* shares = owner->GetProperty("StructureShares");
   this->Table->setColumnHidden(LimpidStructureModel::VISIBLE, !shares);
   if (shares)
@@ -181,6 +190,20 @@ void LimpidStructures::setStructures(const QVariantList& texts)
   this->setHint(QString());
 }
 
+QVariantList LimpidStructures::colors() const
+{
+  return this->Model->colors();
+}
+
+void LimpidStructures::setColors(const QVariantList& numbers)
+{
+  if (numbers != this->colors())
+  {
+    this->Model->setColors(numbers);
+    Q_EMIT this->colorsChanged();
+  }
+}
+
 // Shows a text below the table, or what to do if it is empty.
 void LimpidStructures::setHint(const QString& text)
 {
@@ -197,21 +220,42 @@ void LimpidStructures::change()
   Q_EMIT this->structuresChanged();
 }
 
-void LimpidStructures::takeEdit(int row, int column)
+// Returns the numbers of the selected rows in the model.
+std::vector<int> LimpidStructures::selectedRows() const
 {
-  std::vector<int> others;
-  bool isSelected = false;
+  std::vector<int> rows;
   for (const QModelIndex& index : this->Table->selectionModel()->selectedRows())
   {
-    const int selected = this->Sorted->mapToSource(index).row();
-    isSelected = isSelected || selected == row;
-    others.push_back(selected);
+    rows.push_back(this->Sorted->mapToSource(index).row());
   }
-  if (isSelected)
+  return rows;
+}
+
+void LimpidStructures::takeEdit(int row, int column)
+{
+  const std::vector<int> selected = this->selectedRows();
+  if (std::find(selected.begin(), selected.end(), row) != selected.end())
   {
-    this->Model->copy(row, column, others);
+    this->Model->copy(row, column, selected);
   }
   this->change();
+}
+
+// Gives the selected rows a colour if that of one of them was double-clicked.
+void LimpidStructures::chooseColor(const QModelIndex& index)
+{
+  if (index.column() != LimpidStructureModel::COLOR)
+  {
+    return;
+  }
+  QColorDialog dialog(this->Model->colorOf(this->Sorted->mapToSource(index).row()), this);
+  dialog.setObjectName("ColorDialog");
+  dialog.setWindowTitle(tr("Color of Structures"));
+  if (dialog.exec() == QDialog::Accepted)
+  {
+    this->Model->paint(this->selectedRows(), dialog.selectedColor());
+    Q_EMIT this->colorsChanged();
+  }
 }
 
 void LimpidStructures::followShares()

@@ -7,9 +7,10 @@
  *
  * For the property Structures, with panel_widget="LimpidStructures": a LimpidStructureModel, of
  * which a change of one selected row changes all selected ones, and buttons that fill it from the
- * labels in the data or name them from a file. Of a display it also has what the last picture shows
- * of each structure (StructureShares), and a click in the view selects the row of the structure
- * that is seen there. It only sets the property, so that undo, trace and state contain all changes.
+ * labels in the data or name them from a file. Of a display it also has the colours of structures
+ * (LabelColors) and what the last picture shows of each (StructureShares), and a click in the view
+ * selects the row of the structure that is seen there. It only sets the properties, so that undo,
+ * trace and state contain all changes.
  */
 
 #ifndef LimpidStructures_h
@@ -22,6 +23,7 @@
 #include <QSortFilterProxyModel>
 
 #include <array>
+#include <vector>
 
 class QLabel;
 class QPushButton;
@@ -33,18 +35,23 @@ class LimpidStructures : public pqPropertyWidget
 {
   Q_OBJECT
   Q_PROPERTY(QVariantList structures READ structures WRITE setStructures NOTIFY structuresChanged)
+  Q_PROPERTY(QVariantList colors READ colors WRITE setColors NOTIFY colorsChanged)
 
 public:
   LimpidStructures(vtkSMProxy* proxy, vtkSMProperty* structures, QWidget* parent = nullptr);
 
   QVariantList structures() const;
   void setStructures(const QVariantList& texts);
+  QVariantList colors() const;
+  void setColors(const QVariantList& numbers);
 
 Q_SIGNALS:
   void structuresChanged();
+  void colorsChanged();
 
 private Q_SLOTS:
   void takeEdit(int row, int column);
+  void chooseColor(const QModelIndex& index);
   void followShares();
   void fillFromData();
   void loadNames();
@@ -55,6 +62,7 @@ private Q_SLOTS:
 
 private:
   void createTable();
+  std::vector<int> selectedRows() const;
   QPushButton* newButton(const char* name, const QString& text, const QString& toolTip);
   void setAllImportant(bool important);
   void change();

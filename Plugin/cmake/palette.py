@@ -25,6 +25,7 @@ HEAD = """\
 #define limpid_StructurePalette_h
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 
 namespace limpid
@@ -35,6 +36,12 @@ constexpr std::array<std::array<std::uint8_t, 3>, %d> structurePalette{ {
 """
 TAIL = """\
 } };
+
+/// Returns the colour of the structure in a row, from 0 on, unless it was given another.
+constexpr const std::array<std::uint8_t, 3>& PaletteColor(std::size_t row)
+{
+  return structurePalette[row % structurePalette.size()];
+}
 }
 
 #endif"""

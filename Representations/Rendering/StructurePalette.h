@@ -7,6 +7,7 @@
 #define limpid_StructurePalette_h
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 
 namespace limpid
@@ -79,6 +80,12 @@ constexpr std::array<std::array<std::uint8_t, 3>, 64> structurePalette{ {
   { { 105, 120, 180 } },
   { { 120, 225, 90 } },
 } };
+
+/// Returns the colour of the structure in a row, from 0 on, unless it was given another.
+constexpr const std::array<std::uint8_t, 3>& PaletteColor(std::size_t row)
+{
+  return structurePalette[row % structurePalette.size()];
+}
 }
 
 #endif

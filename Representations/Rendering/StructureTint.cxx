@@ -18,9 +18,9 @@ namespace limpid
 {
 namespace
 {
-std::array<float, 3> PaletteColor(std::size_t number)
+std::array<float, 3> DefaultColor(std::size_t row)
 {
-  const std::array<std::uint8_t, 3>& bytes = structurePalette[number % structurePalette.size()];
+  const std::array<std::uint8_t, 3>& bytes = PaletteColor(row);
   std::array<float, 3> color{};
   std::transform(bytes.begin(), bytes.end(), color.begin(),
     [](std::uint8_t channel) { return float(channel) / 255; });
@@ -54,7 +54,7 @@ std::vector<std::array<float, 3>> ColorsOf(
   std::vector<std::array<float, 3>> colors;
   while (colors.size() < structures.Count())
   {
-    colors.push_back(PaletteColor(colors.size()));
+    colors.push_back(DefaultColor(colors.size()));
   }
   std::set<double> labels;
   for (const LabelColor& one : given)

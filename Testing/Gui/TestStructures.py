@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 
 # The table of structures as a person meets it in the panel: filled from the data, with names of the
-# color map; two rows changed as one, undone and redone; switched off and on. Once the picture is
-# finished, the table and the view say what is seen. A filter has such a table, too.
+# color map; two rows changed and painted as one, undone and redone; switched off and on. Once the
+# picture is finished, the table and the view say what is seen. A filter has such a table, too.
 # TestStructures.xml has the events between the stages.
 
 import numpy as np
@@ -78,6 +78,12 @@ def tell():
     yield
     expect_column(display, 2, ["0.4", "0.4", "1"], "redone in one step")
     yield
+    expect(list(display.LabelColors) == [1, 1, 0.4, 0, 2, 1, 0.4, 0],
+           f"both get the color that is chosen for one: {list(display.LabelColors)}")
+    story.screenshot("painted.png")
+    yield
+    expect(len(list(display.LabelColors)) == 0, "undone in one step")
+    yield
     expect_column(display, 2, ["0", "0", "0"], "none is important")
     yield
     expect_column(display, 2, ["0.4", "0.4", "1"], "switched on, all are as important as before")
@@ -95,6 +101,8 @@ def tell():
     traced = smtrace.stop_trace().replace("\n", " ")
     expect("['1', 'rim', '0.4', '', '2', 'label 2', '0.6', ''" in " ".join(traced.split()),
            "the trace has the table")
+    expect(".LabelColors = [1.0, 1.0, 0.4, 0.0, 2.0, 1.0, 0.4, 0.0]" in " ".join(traced.split()),
+           "and the colors")
     filter_ = simple.ExtinctionOptimizer(Input=source)
     filter_.StructureArray = ["POINTS", "Labels"]
     simple.SetActiveSource(filter_)
