@@ -80,6 +80,13 @@ vtkOptimizedVolumeRepresentation::vtkOptimizedVolumeRepresentation()
       state.Annotation->SetLegendColor(state.Mapper->GetMissedColor());
       return state.Mapper->HasDrawn ? limpid::MissedText(state.Mapper) : std::string();
     });
+  this->State->Annotation->SetStructureSource(
+    [this]()
+    {
+      const Internals& state = *this->State;
+      const bool isWanted = state.StructureLegend && state.Mapper->HasDrawn;
+      return isWanted ? state.Mapper->GetStructureLegendTable() : nullptr;
+    });
 }
 
 // The renderer skips what is not in view. A client whose server draws has no data.
@@ -94,6 +101,7 @@ vtkOptimizedVolumeRepresentation::~vtkOptimizedVolumeRepresentation()
 {
   this->State->Annotation->SetTextSource(nullptr); // a renderer may outlive this object's text
   this->State->Annotation->SetLegendSource(nullptr);
+  this->State->Annotation->SetStructureSource(nullptr);
 }
 
 int vtkOptimizedVolumeRepresentation::RequestData(
@@ -188,6 +196,7 @@ void vtkOptimizedVolumeRepresentation::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ImportanceArray: " << this->State->ImportanceArray << "\n";
   os << indent << "ShowScore: " << this->State->ShowScore << "\n";
   os << indent << "ScoreInScreenshots: " << this->State->ScoreInScreenshots << "\n";
+  os << indent << "StructureLegend: " << this->State->StructureLegend << "\n";
   os << indent << "SourceName: " << this->State->SourceName << "\n";
   os << indent << "Messages: " << this->GetMessages() << "\n";
 }

@@ -186,6 +186,12 @@ public:
   void SetScoreInScreenshots(int);
 
   /**
+   * Whether the view lists the important structures that have names with their colors, while
+   * StructureColors is above 0. Default is on.
+   */
+  void SetStructureLegend(int);
+
+  /**
    * Name of this volume in the text, if a view shows several optimised volumes. The client sets it
    * for each render; it is not saved in states. Default is empty: no name is shown.
    */

@@ -51,6 +51,7 @@ struct vtkOptimizedVolumeRepresentation::Internals
   bool TellsName = false; // whether the text shows the name in this frame
   bool ShowScore = true;
   bool ScoreInScreenshots = false;
+  bool StructureLegend = true;
   vtkWeakPointer<vtkPVRenderView> View; // the view that shows it
 
   std::string ImportanceArray = "Importance";

@@ -111,6 +111,11 @@ void vtkOptimizedVolumeRepresentation::SetScoreInScreenshots(int show)
   this->State->ScoreInScreenshots = show != 0;
 }
 
+void vtkOptimizedVolumeRepresentation::SetStructureLegend(int show)
+{
+  this->State->StructureLegend = show != 0;
+}
+
 void vtkOptimizedVolumeRepresentation::SetSourceName(const char* name)
 {
   this->State->SourceName = name ? name : "";

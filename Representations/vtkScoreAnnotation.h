@@ -6,8 +6,9 @@
  * @brief   text in the upper left corner about the last picture of a volume mapper
  *
  * The text is requested when overlays are drawn, which is after the volumes of the same frame. It
- * has a dark, translucent background plate, so that it is readable on any picture. Several
- * annotations in a renderer are placed below each other.
+ * has a dark, translucent background plate, so that it is readable on any picture. Plates of their
+ * own below it have the legends of a colour and of structures. Several annotations in a renderer
+ * are placed below each other.
  */
 
 #ifndef vtkScoreAnnotation_h
@@ -21,6 +22,7 @@
 #include <string>     // for the text
 
 class vtkRenderer;
+class vtkTable;
 class vtkTextActor;
 
 class VTKLIMPIDREPRESENTATIONS_EXPORT vtkScoreAnnotation : public vtkProp
@@ -38,6 +40,11 @@ public:
   /// own below the text. Nothing is drawn if it is null or if the legend is empty.
   void SetLegendSource(std::function<std::string()> source);
   void SetLegendColor(const double color[3]);
+
+  /// Function that returns structures to list with their colours, see
+  /// vtkTransmittanceVolumeMapper::GetStructureLegendTable. As many are listed as have room, at
+  /// most twelve. Nothing is drawn if it is null or returns null or no rows.
+  void SetStructureSource(std::function<vtkTable*()> source);
 
   /// Claims the whole view of a renderer for the present frame, or nothing. If processes compose a
   /// frame, only the parts claimed by props are taken from each process.
@@ -58,16 +65,20 @@ private:
 
   std::string CurrentText();
   std::string CurrentLegend();
+  vtkTable* CurrentStructures();
   double LowestOtherAnnotation(vtkViewport* viewport);
-  int DrawPlate(vtkViewport* viewport, const std::string& text, vtkTextActor* actor);
+  int DrawPlate(vtkViewport* viewport, const std::string& text, vtkTextActor* actor, double left);
+  int DrawStructures(vtkViewport* viewport, vtkTable* structures);
 
   std::function<std::string()> TextSource;
   std::function<std::string()> LegendSource;
+  std::function<vtkTable*()> StructureSource;
   double Bounds[6] = {};
   double Bottom = 1; // lower end of the plates in the last frame, as a share of the viewport's
                      // height
   vtkNew<vtkTextActor> Actor;
   vtkNew<vtkTextActor> Legend;
+  vtkNew<vtkTextActor> Names; // of structures
 };
 
 #endif

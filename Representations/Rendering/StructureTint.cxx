@@ -72,6 +72,30 @@ std::vector<std::array<float, 3>> ColorsOf(
   return colors;
 }
 
+std::vector<LegendLine> LegendOf(
+  const Structures& structures, const std::vector<std::array<float, 3>>& colors)
+{
+  std::vector<StructureRow> rows;
+  for (std::size_t row = 1; row <= structures.Count() && !structures.HasAnyLabel(); ++row)
+  {
+    const Structure& structure = structures.At(static_cast<StructureRow>(row));
+    if (structure.importance > 0 && !structure.name.empty())
+    {
+      rows.push_back(static_cast<StructureRow>(row));
+    }
+  }
+  std::stable_sort(rows.begin(), rows.end(),
+    [&structures](StructureRow one, StructureRow other)
+    { return structures.ImportanceOf(one) > structures.ImportanceOf(other); });
+  std::vector<LegendLine> lines;
+  lines.reserve(rows.size());
+  for (const StructureRow row : rows)
+  {
+    lines.push_back({ structures.At(row).name, colors[row - std::size_t(1)] });
+  }
+  return lines;
+}
+
 std::string WarningOf(const Structures& structures, const std::vector<LabelColor>& given)
 {
   std::ostringstream unknown;

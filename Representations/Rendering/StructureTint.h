@@ -27,6 +27,18 @@ struct LabelColor
 std::vector<std::array<float, 3>> ColorsOf(
   const Structures& structures, const std::vector<LabelColor>& given);
 
+/// A line of a legend.
+struct LegendLine
+{
+  std::string name;
+  std::array<float, 3> color{};
+};
+
+/// Returns the important structures that have names, the most important ones first. `colors`: by
+/// row, from row 1 on.
+std::vector<LegendLine> LegendOf(
+  const Structures& structures, const std::vector<std::array<float, 3>>& colors);
+
 /// Returns a warning about given colours of labels that are not among the structures; may be empty.
 std::string WarningOf(const Structures& structures, const std::vector<LabelColor>& given);
 }

@@ -182,6 +182,11 @@ double vtkTransmittanceVolumeMapper::GetAttainableLightScore() const
   return this->State->Last.ceiling.lightVisibility;
 }
 
+vtkTable* vtkTransmittanceVolumeMapper::GetStructureLegendTable()
+{
+  return this->State->LegendOfStructures();
+}
+
 vtkTable* vtkTransmittanceVolumeMapper::GetStructureTable()
 {
   this->State->MeasureStructures();

@@ -486,6 +486,13 @@ public:
   ///@}
 
   /**
+   * The important structures that have names, the most important ones first, and their colors in
+   * the last frame: a table with the columns Name, Red, Green and Blue, in [0, 1]. Without
+   * StructureColors, it has no rows.
+   */
+  vtkTable* GetStructureLegendTable();
+
+  /**
    * What the camera of the last frame sees of each structure: the third output of
    * vtkExtinctionOptimizer, see there, for this camera and, of several, only for it. It has no
    * shares until the frame has converged; then the first call computes them, which takes about ten

@@ -12,6 +12,7 @@
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"
+#include "vtkFloatArray.h"
 #include "vtkHardwareSelector.h"
 #include "vtkImageData.h"
 #include "vtkPiecewiseFunction.h"
@@ -20,6 +21,9 @@
 #include "vtkPropCollection.h"
 #include "vtkRenderer.h"
 #include "vtkSmartPointer.h"
+#include "vtkStringArray.h"
+#include "vtkTable.h"
+#include "vtkVariant.h"
 #include "vtkVolume.h"
 
 #include "math/Require.h"
@@ -332,6 +336,31 @@ vtkTable* vtkTransmittanceVolumeMapper::Internals::KnownStructures()
     limpid::FillStructures(*structures, found, this->Structures);
   }
   return this->Structures;
+}
+
+vtkTable* vtkTransmittanceVolumeMapper::Internals::LegendOfStructures()
+{
+  vtkTable* table = this->StructureLegend;
+  table->Initialize();
+  vtkNew<vtkStringArray> names;
+  names->SetName("Name");
+  table->AddColumn(names);
+  for (const char* channel : { "Red", "Green", "Blue" })
+  {
+    vtkNew<vtkFloatArray> column;
+    column->SetName(channel);
+    table->AddColumn(column);
+  }
+  for (const limpid::LegendLine& line : this->Legend)
+  {
+    const vtkIdType row = table->InsertNextBlankRow();
+    table->SetValue(row, 0, vtkVariant(line.name));
+    for (vtkIdType channel = 0; channel < 3; ++channel)
+    {
+      table->SetValue(row, channel + 1, vtkVariant(line.color[channel]));
+    }
+  }
+  return table;
 }
 
 bool vtkTransmittanceVolumeMapper::Internals::IsShared() const

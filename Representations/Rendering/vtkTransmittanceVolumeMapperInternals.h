@@ -58,6 +58,7 @@ struct vtkTransmittanceVolumeMapper::Internals
   bool CanMeasureStructures() const;
   void MeasureStructures();
   vtkTable* KnownStructures();
+  vtkTable* LegendOfStructures();
   void ReleaseMemory();
   void ReleaseData();
   limpid::VolumeView& ViewOf(vtkRenderer* renderer, vtkVolume* volume);
@@ -114,10 +115,12 @@ struct vtkTransmittanceVolumeMapper::Internals
   limpid::FrameResult Last;            ///< result of the last frame, in any view
   limpid::VolumeView* Shown = nullptr; ///< that view; null if there is none any more
   vtkNew<vtkTable> Structures;         ///< see GetStructureTable
+  vtkNew<vtkTable> StructureLegend;    ///< see GetStructureLegendTable
   limpid::MessageLog Log;
   std::string Messages; ///< messages of the last frame
   std::vector<limpid::LabelColor> LabelColors;
-  int Drawing = 0; ///< number of nested calls to Render
+  std::vector<limpid::LegendLine> Legend; ///< of the structures in the last frame
+  int Drawing = 0;                        ///< number of nested calls to Render
   bool ReleaseAfter = false;
 };
 

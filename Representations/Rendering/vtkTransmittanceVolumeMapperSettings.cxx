@@ -218,6 +218,7 @@ vtkTransmittanceVolumeMapper::Internals::ImportanceOf(
 void vtkTransmittanceVolumeMapper::Internals::UpdateStructures(
   vtkImageData* image, const limpid::FieldSource& labels, limpid::FrameSettings& frame)
 {
+  this->Legend.clear();
   try
   {
     if (frame.structureColors > 0 && !labels.array)
@@ -235,6 +236,10 @@ void vtkTransmittanceVolumeMapper::Internals::UpdateStructures(
     }
     this->Data.UpdateStructures(
       image, used ? labels : limpid::FieldSource(), this->Self->Settings->GetStructuresMTime());
+    if (used)
+    {
+      this->Legend = limpid::LegendOf(*labels.structures, frame.colorsOfRows);
+    }
   }
   catch (const std::exception& error)
   {

@@ -289,6 +289,7 @@ class TestOptimizedVolumePictures(displays.DisplayTest):
         display.Structures = ["1", "left", "1", "", "2", "right", "1", ""]
         without = pictures.take(self.view)
         display.StructureColors = 1
+        display.StructureLegend = 0
         display.LabelColors = [1, 0, 0, 1, 2, 0, 1, 0]
         tinted = pictures.take(self.view)
         pictures.write(os.path.join(os.environ.get("LIMPID_TEST_OUTPUT", tempfile.gettempdir()),

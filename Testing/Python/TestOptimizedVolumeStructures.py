@@ -1,14 +1,17 @@
 # SPDX-FileCopyrightText: Copyright (c) Limpid developers
 # SPDX-License-Identifier: BSD-3-Clause
 
-# What a display says about structures: the property StructureShares, and the text in the view.
+# What a display says about structures: the property StructureShares, the text in the view, and the
+# legend below it.
 
 import os
+import tempfile
 
 import numpy as np
 from paraview import simple
 
 import displays
+import pictures
 import runner
 
 simple.LoadPlugin(os.environ["LIMPID_PLUGIN"], remote=False, ns=globals())
@@ -32,12 +35,14 @@ class TestOptimizedVolumeStructures(displays.DisplayTest):
         rows[3::4] = targets
         self.display.Structures = rows
 
+    def annotation(self):
+        props = self.view.GetRenderer().GetViewProps()
+        return next(str(prop) for prop in props if prop.IsA("vtkScoreAnnotation"))
+
     def lines(self):
         """Those of the text about structures, after a picture."""
         simple.Render(self.view)
-        props = self.view.GetRenderer().GetViewProps()
-        text = next(str(prop) for prop in props if prop.IsA("vtkScoreAnnotation"))
-        return text.split("Text: ")[1].split("\n  Legend")[0].splitlines()[2:]
+        return self.annotation().split("Text: ")[1].split("\n  Legend")[0].splitlines()[2:]
 
     def shares(self):
         self.display.UpdatePropertyInformation()
@@ -98,6 +103,65 @@ class TestOptimizedVolumeStructures(displays.DisplayTest):
         self.view.SMProxy.InteractiveRender()
         self.assertEqual(len(self.shares()), 0)
         self.assertEqual(len(self.lines()), 3)
+
+    def listed(self):
+        """Those of the legend, after a picture."""
+        simple.Render(self.view)
+        return self.annotation().split("Structures: ")[1].strip().splitlines()
+
+    def rows_that_differ(self, one, other):
+        return np.flatnonzero(np.abs(one - other).max(axis=(1, 2)))
+
+    def test_a_legend_lists_the_important_ones_in_their_colors(self):
+        self.display.StructureColors = 0.5
+        self.display.LabelColors = [2, 1, 0.4, 0]
+        self.assertEqual(self.listed(), ["core", "shell", "rim"])
+        with_legend = pictures.take(self.view)
+        pictures.write(os.path.join(os.environ.get("LIMPID_TEST_OUTPUT", tempfile.gettempdir()),
+                                    "structure-legend.png"), with_legend)
+        corner = with_legend[150:, :15]  # rows from the bottom; the volume is lower
+        ends = []
+        for color in ((30, 75, 255), (255, 102, 0), (225, 45, 45)):
+            here = (corner == color).all(axis=2)
+            self.assertGreater(here.sum(), 20)
+            ends += [np.flatnonzero(here.any(axis=1)).max(), np.flatnonzero(here.any(axis=1)).min()]
+        self.assertEqual(ends, sorted(ends, reverse=True))  # below each other
+        self.display.StructureLegend = 0
+        without = pictures.take(self.view)
+        self.assertEqual(self.listed(), [])
+        self.display.ShowScore = self.display.ScoreInScreenshots = 1
+        with_score = pictures.take(self.view)
+        self.display.StructureLegend = 1
+        with_both = pictures.take(self.view)
+        score = self.rows_that_differ(with_score, without)
+        legend = self.rows_that_differ(with_both, with_score)
+        self.assertLess(legend.max(), score.min())
+
+    def test_there_is_no_legend_without_colors_or_names(self):
+        self.display.StructureColors = 0.5
+        self.display.Structures = ["1", "", "1", "", "2", "", "0.5", ""]
+        self.assertEqual(self.listed(), [])
+        self.display.Structures = self.STRUCTURES
+        self.display.StructureColors = 0
+        self.assertEqual(self.listed(), [])
+        without = pictures.take(self.view)
+        self.display.StructureLegend = 0
+        np.testing.assert_array_equal(pictures.take(self.view), without)
+
+    def test_a_legend_has_as_many_lines_as_have_room(self):
+        labels = range(1, 31)
+        self.display.Structures = [text for label in labels
+                                   for text in (str(label), f"structure {label}", "1", "")]
+        self.display.StructureColors = 0.5
+        self.display.LabelColors = [number for label in labels
+                                    for number in (label, 1, 0, 8 * label / 255)]
+        self.assertEqual(self.listed(), [f"structure {label}" for label in labels])
+        colors = {(255, 0, 8 * label) for label in labels}
+        for height, fewest, most in ((300, 11, 11), (60, 1, 4)):  # and a line for the others
+            self.view.ViewSize = [200, height]
+            left = pictures.take(self.view)[:, :15]
+            swatches = {tuple(pixel) for pixel in left.reshape(-1, 3)} & colors
+            self.assertIn(len(swatches), range(fewest, most + 1))
 
 
 if __name__ == "__main__":

@@ -78,6 +78,28 @@ class TestStructures(MapperTest):
         self.assert_middle(view, composed(first, RED))
         self.assert_fine(view)
 
+    def test_the_legend_lists_important_structures_with_names(self):
+        def legend():
+            view.picture()
+            table = mapper.GetStructureLegendTable()
+            return [tuple(table.GetValue(row, column).ToString() if column == 0 else
+                          round(255 * table.GetValue(row, column).ToDouble())
+                          for column in range(table.GetNumberOfColumns()))
+                    for row in range(table.GetNumberOfRows())]
+
+        view, mapper = slabs(StructureColors=0.5)
+        mapper.RemoveAllStructures()
+        for label, name, importance in ((2, "front", 0.5), (5, "", 1), (7, "none", 0), (8, "rear", 1)):
+            mapper.AddStructure(label, name, importance)
+        mapper.AddLabelColor(8, *GREEN)
+        self.assertEqual(legend(), [("rear", 0, 255, 0), ("front", 225, 45, 45)])
+        mapper.SetStructureColors(0)
+        self.assertEqual(legend(), [])
+        mapper.SetStructureColors(0.5)
+        mapper.RemoveAllStructures()  # all labels have one color
+        mapper.RemoveAllLabelColors()
+        self.assertEqual(legend(), [])
+
     def test_other_labels_keep_the_color_of_the_transfer_function(self):
         view, mapper = slabs((5, 5, 5, 5, 5, 7, 7, 7, 7), StructureColors=1)
         mapper.AddLabelColor(5, *GREEN)
