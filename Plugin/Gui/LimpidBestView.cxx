@@ -59,15 +59,42 @@ vtkSMProxy* ChooseDisplay(vtkSMRenderViewProxy* view)
   return first;
 }
 
-// Returns a search with the settings of a display.
-vtkSmartPointer<vtkSMSourceProxy> Search(vtkSMProxy* display, vtkSMRenderViewProxy* view)
+// Runs a search with the settings of a display. `structures`: in place of its property Structures;
+// empty: those of the display.
+vtkSmartPointer<vtkSMSourceProxy> Search(
+  vtkSMProxy* display, vtkSMRenderViewProxy* view, const QVariantList& structures)
 {
   SCOPED_UNDO_EXCLUDE();
   vtkSMPropertyHelper input(display, "Input");
-  const auto search = NewHiddenFilter("ViewpointSearch", input.GetAsProxy(), input.GetOutputPort());
+  auto search = NewHiddenFilter("ViewpointSearch", input.GetAsProxy(), input.GetOutputPort());
   vtkSMPropertyHelper(search, "NumberOfDirections").Set(DIRECTIONS);
   TakeOverDisplay(search, display, view);
+  if (!structures.isEmpty())
+  {
+    vtkSMPropertyHelper rows(search, "Structures");
+    rows.SetNumberOfElements(static_cast<unsigned>(structures.size()));
+    for (int i = 0; i < structures.size(); ++i)
+    {
+      rows.Set(static_cast<unsigned>(i), structures[i].toString().toUtf8().data());
+    }
+    search->UpdateVTKObjects();
+  }
+  QApplication::setOverrideCursor(Qt::WaitCursor);
+  search->UpdatePipeline(vtkSMPropertyHelper(view, "ViewTime").GetAsDouble());
+  QApplication::restoreOverrideCursor();
   return search;
+}
+
+// Gives a view the camera of the best viewpoint that a search found, if any.
+void LookFromBest(vtkSMSourceProxy* search, pqRenderView* view)
+{
+  const double time = vtkSMPropertyHelper(view->getProxy(), "ViewTime").GetAsDouble();
+  const LimpidViewpoints found = FindViewpoints(search, time);
+  if (!found.Ranked.empty())
+  {
+    LookFrom(
+      found.Ranked.front(), view, QCoreApplication::translate("LimpidBestView", " best viewpoint"));
+  }
 }
 }
 
@@ -141,30 +168,20 @@ vtkSmartPointer<vtkSMSourceProxy> SearchActiveVolume()
 {
   vtkSMRenderViewProxy* view = ActiveRenderView();
   vtkSMProxy* display = view ? ChooseDisplay(view) : nullptr;
-  if (!display)
-  {
-    return nullptr;
-  }
-  QApplication::setOverrideCursor(Qt::WaitCursor);
-  const vtkSmartPointer<vtkSMSourceProxy> search = Search(display, view);
-  search->UpdatePipeline(vtkSMPropertyHelper(view, "ViewTime").GetAsDouble());
-  QApplication::restoreOverrideCursor();
-  return search;
+  return display ? Search(display, view, {}) : nullptr;
 }
 
 void FindBestView()
 {
   if (const vtkSmartPointer<vtkSMSourceProxy> search = SearchActiveVolume())
   {
-    auto* view = qobject_cast<pqRenderView*>(pqActiveObjects::instance().activeView());
-    const double time = vtkSMPropertyHelper(view->getProxy(), "ViewTime").GetAsDouble();
-    const LimpidViewpoints found = FindViewpoints(search, time);
-    if (!found.Ranked.empty())
-    {
-      LookFrom(found.Ranked.front(), view,
-        QCoreApplication::translate("LimpidBestView", " best viewpoint"));
-    }
+    LookFromBest(search, qobject_cast<pqRenderView*>(pqActiveObjects::instance().activeView()));
   }
+}
+
+void FindBestViewOf(vtkSMProxy* display, pqRenderView* view, const QVariantList& structures)
+{
+  LookFromBest(Search(display, view->getRenderViewProxy(), structures), view);
 }
 
 QIcon BestViewIcon()

@@ -11,6 +11,8 @@
 #include "scene/RaySource.h"
 #include "vtkSmartPointer.h"
 
+#include <QVariantList>
+
 class pqRenderView;
 class vtkSMProxy;
 class vtkSMRenderViewProxy;
@@ -46,6 +48,10 @@ vtkSmartPointer<vtkSMSourceProxy> SearchActiveVolume();
 
 /// Sets the active view to the camera that shows most of the important structures in that volume.
 void FindBestView();
+
+/// Sets a view likewise to show most of some structures alone, rows of the property Structures, of
+/// a display in it. The display stays the same.
+void FindBestViewOf(vtkSMProxy* display, pqRenderView* view, const QVariantList& structures);
 
 /// The icon and the text of buttons that call FindBestView.
 QIcon BestViewIcon();

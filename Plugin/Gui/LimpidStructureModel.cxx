@@ -69,6 +69,18 @@ QVariantList LimpidStructureModel::texts() const
   return texts;
 }
 
+QVariantList LimpidStructureModel::importantTexts(const std::vector<int>& rows) const
+{
+  QVariantList texts;
+  for (const int number : rows)
+  {
+    Row row = this->Rows[static_cast<std::size_t>(number)];
+    row[IMPORTANCE_TEXT] = this->lastImportance(row);
+    std::copy(row.begin(), row.end(), std::back_inserter(texts));
+  }
+  return texts;
+}
+
 void LimpidStructureModel::setTexts(const QVariantList& texts)
 {
   std::vector<Row> rows(static_cast<std::size_t>(texts.size()) / TEXTS);
@@ -191,6 +203,13 @@ void LimpidStructureModel::rename(const Names& names)
   this->tellOfAll();
 }
 
+// Returns the importance of a structure, or what it was when it was important.
+QString LimpidStructureModel::lastImportance(const Row& row) const
+{
+  return isImportant(row) ? row[IMPORTANCE_TEXT]
+                          : this->FormerImportance.value(row[LABEL_TEXT], "1");
+}
+
 void LimpidStructureModel::setImportance(Row& row, const QString& importance)
 {
   if (isImportant(row))
@@ -204,8 +223,7 @@ void LimpidStructureModel::setImportant(Row& row, bool important)
 {
   if (important != isImportant(row))
   {
-    this->setImportance(
-      row, important ? this->FormerImportance.value(row[LABEL_TEXT], "1") : QString("0"));
+    this->setImportance(row, important ? this->lastImportance(row) : QString("0"));
   }
 }
 

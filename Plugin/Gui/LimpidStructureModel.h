@@ -66,6 +66,10 @@ public:
   /// Gives rows a colour.
   void paint(const std::vector<int>& rows, const QColor& color);
 
+  /// Some rows as the property Structures has them, with the importance that they had last if they
+  /// have none.
+  QVariantList importantTexts(const std::vector<int>& rows) const;
+
   /// Sets what the last picture shows, as the property StructureShares has it. Ignored unless it is
   /// for all rows.
   void setShares(const std::vector<double>& shares);
@@ -107,6 +111,7 @@ private:
   using LabelColor = std::array<double, 4>; // label, red, green and blue
 
   static bool isImportant(const Row& row) { return row[IMPORTANCE_TEXT].toDouble() > 0; }
+  QString lastImportance(const Row& row) const;
   void setImportance(Row& row, const QString& importance);
   void setImportant(Row& row, bool important);
   QString freeName(const QString& wanted, const QString& label) const;

@@ -2,12 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LimpidStructures.h"
 
+#include "LimpidBestView.h"
 #include "LimpidLabels.h"
 #include "LimpidOptimizedVolumes.h"
 #include "StructureTableFile.h"
 
 #include "pqCoreUtilities.h"
-#include "pqView.h"
+#include "pqRenderView.h"
 #include "vtkCommand.h"
 #include "vtkEventQtSlotConnect.h"
 #include "vtkRenderWindowInteractor.h"
@@ -134,7 +135,19 @@ LimpidStructures::LimpidStructures(
     auto* measure = this->newButton("Measure", tr("Measure Visibility"),
       tr("Measure how much the picture shows of each structure. Without a remote server, this "
          "happens by itself when ParaView is idle."));
+    auto* best = this->newButton("BestView", tr("Best View of Selected"),
+      tr("Look from where the most of the selected structures can be seen, whatever else is "
+         "important. Camera Undo goes back."));
+    best->setIcon(BestViewIcon());
+    best->setEnabled(false);
     buttons->addWidget(measure, 2, 0, 1, 2);
+    buttons->addWidget(best, 3, 0, 1, 2);
+    const auto follow = [this, best]
+    { best->setEnabled(this->Table->selectionModel()->hasSelection()); };
+    this->connect(
+      this->Table->selectionModel(), &QItemSelectionModel::selectionChanged, best, follow);
+    this->connect(this->Sorted, &QAbstractItemModel::modelReset, best, follow);
+    this->connect(best, &QPushButton::clicked, this, &LimpidStructures::findBestView);
     this->connect(measure, &QPushButton::clicked, this, &LimpidStructures::measure);
     this->connect(this, &pqPropertyWidget::viewChanged, this, &LimpidStructures::watchView);
   }
@@ -269,6 +282,14 @@ void LimpidStructures::measure()
   if (this->view())
   {
     this->view()->render(); // tells it
+  }
+}
+
+void LimpidStructures::findBestView()
+{
+  if (auto* view = qobject_cast<pqRenderView*>(this->view()))
+  {
+    FindBestViewOf(this->proxy(), view, this->Model->importantTexts(this->selectedRows()));
   }
 }
 

@@ -9,8 +9,9 @@
  * which a change of one selected row changes all selected ones, and buttons that fill it from the
  * labels in the data or name them from a file. Of a display it also has the colours of structures
  * (LabelColors) and what the last picture shows of each (StructureShares), and a click in the view
- * selects the row of the structure that is seen there. It only sets the properties, so that undo,
- * trace and state contain all changes.
+ * selects the row of the structure that is seen there; a button looks from where most of the
+ * selected ones can be seen. It only sets the properties, so that undo, trace and state contain all
+ * changes.
  */
 
 #ifndef LimpidStructures_h
@@ -56,6 +57,7 @@ private Q_SLOTS:
   void fillFromData();
   void loadNames();
   void measure();
+  void findBestView();
   void watchView(pqView* view);
   void beginClick(); // events of the view's interactor
   void endClick();

@@ -107,6 +107,10 @@ void TakeOverDisplay(vtkSMProxy* filter, vtkSMProxy* display, vtkSMRenderViewPro
       vtkSMPropertyHelper extinction(display, "ExtinctionArray");
       TakeArray(filter, "ExtinctionArray", extinction.GetInputArrayAssociation(),
         extinction.GetInputArrayNameToProcess());
+      vtkSMPropertyHelper labels(display, "StructureArray");
+      TakeArray(filter, "StructureArray", labels.GetInputArrayAssociation(),
+        labels.GetInputArrayNameToProcess());
+      CopyValue(filter->GetProperty("Structures"), display->GetProperty("Structures"));
       importance = PointsOf(display, "ImportanceFunction");
     }
     else

@@ -12,8 +12,8 @@ class vtkSMProxy;
 class vtkSMRenderViewProxy;
 
 /// Copies from a display of the filter's input, property by property of the same name: importance,
-/// weights and method of an optimised volume; array, opacity function and unit distance of any
-/// volume. Also copies the camera of a view; a search gets only its up axis.
+/// structures, weights and method of an optimised volume; array, opacity function and unit distance
+/// of any volume. Also copies the camera of a view; a search gets only its up axis.
 void TakeOverDisplay(vtkSMProxy* filter, vtkSMProxy* display, vtkSMRenderViewProxy* view);
 
 #endif

@@ -2,8 +2,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 
 # The table of structures as a person meets it in the panel: filled from the data, with names of the
-# color map; two rows changed and painted as one, undone and redone; switched off and on. Once the
-# picture is finished, the table and the view say what is seen. A filter has such a table, too.
+# color map; two rows changed and painted as one, undone and redone; switched off and on; the
+# best view of one row. Once the picture is finished, the table and the view say what is seen. A
+# search of the volume starts with its structures, and a filter has such a table, too.
 # TestStructures.xml has the events between the stages.
 
 import numpy as np
@@ -68,7 +69,8 @@ def tell():
     expect_column(display, 1, ["rim", "label 2", "core"], "their names")
     expect_column(display, 2, ["1", "1", "1"], "are important")
     expect(frames.settle(3 * story.PATIENCE, 2), "rendering ends")
-    expect(len(list(display.StructureShares)) == 12, "what is seen of each is measured")
+    before = list(display.StructureShares)
+    expect(len(before) == 12, "what is seen of each is measured")
     story.screenshot("filled.png")
     yield
     expect_column(display, 2, ["0.4", "0.4", "1"], "two selected rows are changed as one")
@@ -87,6 +89,16 @@ def tell():
     expect_column(display, 2, ["0", "0", "0"], "none is important")
     yield
     expect_column(display, 2, ["0.4", "0.4", "1"], "switched on, all are as important as before")
+    camera = list(view.CameraPosition)
+    yield
+    expect(frames.settle(3 * story.PATIENCE, 2), "rendering ends")
+    best, first = (shares[11:] for shares in (list(display.StructureShares), before))
+    expect(best >= first and list(view.CameraPosition) != camera,
+           f"of the core the best view could show {best}, the first one {first}")
+    expect_column(display, 2, ["0.4", "0.4", "1"], "for which no importance was changed")
+    story.screenshot("core.png")
+    yield
+    expect(np.allclose(view.CameraPosition, camera), "one Camera Undo goes back")
     yield
     expect_column(display, 3, ["", "", "0.955"], "a percentage is typed as the target of one row")
     expect(frames.settle(3 * story.PATIENCE, 2), "rendering ends")
@@ -103,6 +115,13 @@ def tell():
            "the trace has the table")
     expect(".LabelColors = [1.0, 1.0, 0.4, 0.0, 2.0, 1.0, 0.4, 0.0]" in " ".join(traced.split()),
            "and the colors")
+    yield
+    search = simple.GetActiveSource()
+    expect(search.StructureArray[1] == "Labels" and list(search.Structures) == list(display.Structures),
+           f"a search starts with them: {list(search.Structures)}")
+    simple.Delete(search)
+    simple.Hide(source, view)
+    story.take_messages()  # the same about the core, if the optimization had time for it
     filter_ = simple.ExtinctionOptimizer(Input=source)
     filter_.StructureArray = ["POINTS", "Labels"]
     simple.SetActiveSource(filter_)
