@@ -42,21 +42,28 @@ int Difference(const std::vector<unsigned char>& one, const std::vector<unsigned
 // Sums of the solvers are added in another order on a GPU, and pictures are rounded.
 constexpr int oneStep = 1;
 
-void ExpectTheProcessorsPicture(SmallWindow& scene, bool forGood)
+/// How the GPU fails.
+struct Failing
+{
+  Index oneIn; ///< of what it is told to do is tried to fail
+  bool forGood;
+};
+
+void ExpectTheProcessorsPicture(SmallWindow& scene, const Failing& how)
 {
   Take(scene, vtkVisibilitySettings::CPU);
   const std::vector<unsigned char> truth = scene.Picture();
   ASSERT_GT(scene.mapper->GetVisibilityScore(), 0);
   bool failed = true;
   int withWarning = 0;
-  for (Index operation = 0; failed; operation += 4)
+  for (Index operation = 0; failed; operation += how.oneIn)
   {
     Take(scene, vtkVisibilitySettings::CPU); // after that, what has failed may be tried again
     scene.Picture();
     Take(scene, vtkVisibilitySettings::AUTO);
     const std::size_t before = Gpu().Bytes();
     {
-      const FailingGpu failing(operation, forGood);
+      const FailingGpu failing(operation, how.forGood);
       ASSERT_LE(Difference(scene.Picture(), truth), oneStep) << "operation " << operation;
       failed = Gpu().HasFailed();
     }
@@ -77,7 +84,7 @@ void ExpectTheProcessorsPicture(SmallWindow& scene, bool forGood)
 }
 }
 
-class GpuPictures : public ::testing::TestWithParam<bool>
+class GpuPictures : public ::testing::TestWithParam<Failing>
 {
 };
 
@@ -103,12 +110,15 @@ TEST_P(GpuPictures, AreMadeWhereCudaWasAskedFor)
     Take(scene, vtkVisibilitySettings::CPU);
     scene.Picture();
     Take(scene, vtkVisibilitySettings::CUDA);
-    const FailingGpu failing(operation, GetParam());
+    const FailingGpu failing(operation, GetParam().forGood);
     scene.Picture();
     ASSERT_TRUE(Gpu().HasFailed());
     EXPECT_GE(scene.errors + int(scene.warnings.size()), 1) << "operation " << operation;
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(OnceAndForGood, GpuPictures, ::testing::Values(false, true),
-  [](const auto& forGood) { return forGood.param ? "ForGood" : "Once"; });
+const auto nameOf = [](const auto& how) { return how.param.forGood ? "ForGood" : "Once"; };
+INSTANTIATE_TEST_SUITE_P(
+  Quick, GpuPictures, ::testing::Values(Failing{ 9, false }, Failing{ 9, true }), nameOf);
+INSTANTIATE_TEST_SUITE_P(
+  Long, GpuPictures, ::testing::Values(Failing{ 1, false }, Failing{ 1, true }), nameOf);
