@@ -19,40 +19,56 @@ COLORS = [-1000, 0, 0, 0, -100, 0.8, 0.6, 0.3, 60, 0.8, 0.3, 0.25, 300, 1, 0.9, 
 UNIT_DISTANCE = 6.0
 
 
-def main(plugin, image, labels, picture, *structures):
-    LoadPlugin(plugin, remote=False, ns=globals())
+def read(image, labels):
+    """Both files as one image, and the names of its values and labels."""
     image, labels = (XMLImageDataReader(FileName=[file]) for file in (image, labels))
     both = AppendAttributes(Input=[image, labels])
     both.UpdatePipeline()
-    scalars, labels = image.PointData.keys()[0], labels.PointData.keys()[0]
-    rows = [text for structure in structures for text in (structure + ":").split(":")[:4]]
+    return both, image.PointData.keys()[0], labels.PointData.keys()[0]
 
+
+def rows_of(structures):
+    """Texts for the property Structures, from LABEL:NAME:IMPORTANCE[:TARGET]."""
+    return [text for structure in structures for text in (structure + ":").split(":")[:4]]
+
+
+def show(both, scalars, labels, rows, size, zoom=1.0):
+    """View and display of an image with labels, seen from one side."""
     view = CreateView("RenderView")
-    view.ViewSize = [640, 480]
+    view.ViewSize = size
     view.OrientationAxesVisibility = 0
     display = Show(both, view)
     ColorBy(display, ("POINTS", scalars))
     display.SetScalarBarVisibility(view, False)
     GetColorTransferFunction(scalars).RGBPoints = COLORS
-    opacity = GetOpacityTransferFunction(scalars)
-    opacity.Points = [number for value, share in zip(OPACITIES[::2], OPACITIES[1::2])
-                      for number in (value, share, 0.5, 0)]
+    GetOpacityTransferFunction(scalars).Points = [
+        number for value, share in zip(OPACITIES[::2], OPACITIES[1::2])
+        for number in (value, share, 0.5, 0)]
     display.SetRepresentationType("Optimized Volume")
     display.ScalarOpacityUnitDistance = UNIT_DISTANCE
     display.StructureArray = ["POINTS", labels]
     display.Structures = rows
-    display.StructureColors = 0.5
     ResetCamera(view)
     view.CameraPosition = [view.CameraFocalPoint[0], view.CameraFocalPoint[1] - 900,
                            view.CameraFocalPoint[2] + 200]
     view.CameraViewUp = [0, 0, 1]
     ResetCamera(view)
+    view.GetActiveCamera().Zoom(zoom)
+    return view, display
+
+
+def main(plugin, image, labels, picture, *structures):
+    LoadPlugin(plugin, remote=False, ns=globals())
+    both, scalars, labels = read(image, labels)
+    rows = rows_of(structures)
+    view, display = show(both, scalars, labels, rows, [640, 480])
+    display.StructureColors = 0.5
     SaveScreenshot(picture, view)
     if display.Messages:
         print(display.Messages)
 
     optimizer = ExtinctionOptimizer(Input=both, ScalarArray=["POINTS", scalars])
-    optimizer.ScalarOpacityFunction = opacity
+    optimizer.ScalarOpacityFunction = GetOpacityTransferFunction(scalars)
     optimizer.ScalarOpacityUnitDistance = UNIT_DISTANCE
     optimizer.StructureArray = ["POINTS", labels]
     optimizer.Structures = rows
