@@ -5,11 +5,13 @@
 
 #include "Abort.h"
 #include "Choices.h"
+#include "ImageFile.h"
 #include "InputArrays.h"
 #include "LabelResampling.h"
 #include "Memory.h"
 #include "OwnArrays.h"
 #include "PropertyPrinter.h"
+#include "StructureNames.h"
 #include "StructureTableFile.h"
 #include "WholeRequest.h"
 
@@ -30,6 +32,7 @@
 #include "scene/Grid.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <exception>
@@ -41,7 +44,7 @@ vtkStandardNewMacro(vtkAddStructures);
 
 namespace
 {
-using Names = std::map<std::int64_t, std::string>;
+using Names = limpid::StructureNames;
 
 const limpid::MemoryNeed Need{ 2 * sizeof(std::int64_t), limpid::fewerPoints };
 
@@ -98,6 +101,41 @@ std::string NameOfMask(const limpid::FieldSource& mask)
   return component ? component : array + "_" + std::to_string(mask.component);
 }
 
+// Returns where the points of an image are according to the file that it was read from.
+limpid::Grid GridInFile(vtkImageData* image, const std::string& path)
+{
+  const limpid::Grid here = limpid::GridOfImage(image);
+  limpid::Grid there;
+  try
+  {
+    there = limpid::ReadImageHeader(path).grid;
+  }
+  catch (const limpid::Error& error)
+  {
+    throw limpid::Error(
+      "The image file \"" + path + "\" cannot be read. " + std::string(error.what()));
+  }
+  const int* extent = image->GetExtent();
+  const limpid::Int3 first(extent[0], extent[2], extent[4]);
+  const limpid::Int3 last = first + here.nodes;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    constexpr double rounding = 1e-3; // of headers that are text
+    const bool isInside = first[axis] >= 0 && last[axis] <= there.nodes[axis];
+    const double ratio = here.spacing[axis] / there.spacing[axis];
+    LIMPID_REQUIRE(isInside && std::abs(ratio - 1) < rounding,
+      "The image has points " << first[axis] << " to " << last[axis] - 1 << ", "
+                              << here.spacing[axis] << " apart, along axis " << axis
+                              << ", and the file \"" << path << "\" has " << there.nodes[axis]
+                              << ", " << there.spacing[axis]
+                              << " apart (the image was not read from it). Correct ImageFile, or "
+                                 "leave it empty.");
+  }
+  there.origin = there.PointToWorld(limpid::Vec3(first));
+  there.nodes = here.nodes;
+  return there;
+}
+
 limpid::Grid GridOfLabels(vtkImageData* image)
 {
   try
@@ -136,7 +174,7 @@ struct vtkAddStructures::Internals
   {
     vtkSmartPointer<vtkDataArray> values;
     bool onCells = false;
-    Names names; // of masks
+    Names names; // that the data have
   };
 
   static vtkImageData* RequireImage(vtkInformationVector* input, const std::string& subject);
@@ -223,7 +261,7 @@ vtkAddStructures::Internals::Labels vtkAddStructures::Internals::Read(vtkImageDa
     return this->ReadMasks(image, ComponentsOf({ chosen }));
   }
   limpid::RequireOneEach(image, chosen);
-  return { limpid::WholeLabels(chosen.array), chosen.onCells, {} };
+  return { limpid::WholeLabels(chosen.array), chosen.onCells, limpid::StructureNamesOf(image) };
 }
 
 // Adds the names of TableFile.
@@ -301,7 +339,8 @@ void vtkAddStructures::Internals::Run(
 {
   vtkImageData* input = RequireImage(inputVector[0], "The input");
   vtkImageData* structures = RequireImage(inputVector[1], "The input Structures");
-  const limpid::Grid image = limpid::GridOfImage(input);
+  const std::string& file = this->Self->ImageFile;
+  const limpid::Grid image = file.empty() ? limpid::GridOfImage(input) : GridInFile(input, file);
   const limpid::Grid labelled = GridOfLabels(structures);
   const Labels labels = this->Read(structures);
   const vtkSmartPointer<vtkDataArray> structure = limpid::ResampleLabels(image, labelled,
@@ -400,4 +439,5 @@ void vtkAddStructures::PrintSelf(ostream& os, vtkIndent indent)
   print("Resampling", this->Resampling);
   print("MasksToLabels", this->MasksToLabels);
   print("TableFile", this->TableFile);
+  print("ImageFile", this->ImageFile);
 }

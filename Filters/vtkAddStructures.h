@@ -20,12 +20,14 @@
  *   "Label", "Name" and "Points", the number of points that have it. Of several processes, each
  *   counts the points of its own piece.
  *
- * Files are read by other classes, and labels are placed as these say. Readers of VTK 9.2 and
- * ParaView 5.11 ignore the directions in NRRD and MetaImage files, directions and origins in NIfTI
- * files, and the names of segments in .seg.nrrd files. Where both files have the same grid, that is
- * no matter; in .vti files, placements are complete.
+ * Names are those of vtkSegmentationReader, which port 1 has as field data; those of masks replace
+ * them, and those of TableFile replace both.
  *
- * @sa vtkExtinctionOptimizer
+ * Readers of VTK 9.2 and ParaView 5.11 ignore the directions in NRRD and MetaImage files, and
+ * directions and origins in NIfTI files; vtkSegmentationReader does not. See ImageFile for an image
+ * that came through such a reader.
+ *
+ * @sa vtkSegmentationReader vtkExtinctionOptimizer
  */
 
 #ifndef vtkAddStructures_h
@@ -105,6 +107,18 @@ public:
   vtkGetCharFromStdStringMacro(TableFile);
   ///@}
 
+  ///@{
+  /**
+   * Path of the file that port 0 was read from, or empty. If a reader has ignored where this file
+   * places the image, the labels, which vtkSegmentationReader has placed, would be elsewhere. With
+   * this path, each point gets the label at its place in the file instead. The file is one that
+   * vtkSegmentationReader reads; it must have the points of the image, and their spacing. Default
+   * is empty.
+   */
+  vtkSetStdStringFromCharMacro(ImageFile);
+  vtkGetCharFromStdStringMacro(ImageFile);
+  ///@}
+
 protected:
   vtkAddStructures();
   ~vtkAddStructures() override;
@@ -123,6 +137,7 @@ private:
   int Resampling = MAJORITY;
   bool MasksToLabels = false;
   std::string TableFile;
+  std::string ImageFile;
 
   struct Internals;
 };

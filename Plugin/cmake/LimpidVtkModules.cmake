@@ -10,7 +10,7 @@ limpid_predeclare_missing_python_targets(VTK)
 # What the modules are made of; who uses them looks for it, too.
 set(LIMPID_VTK_COMPONENTS
   CommonExecutionModel FiltersCore FiltersModeling FiltersSources ImagingCore ParallelCore
-  RenderingOpenGL2 RenderingVolume)
+  RenderingOpenGL2 RenderingVolume zlib)
 find_package(VTK 9.2 REQUIRED
   COMPONENTS ${LIMPID_VTK_COMPONENTS}
   OPTIONAL_COMPONENTS

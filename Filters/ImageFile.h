@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Files of images and segmentations: NIfTI, NRRD and MetaImage.
+
+#ifndef limpid_ImageFile_h
+#define limpid_ImageFile_h
+
+#include "VoxelFile.h"
+
+#include "vtkSmartPointer.h"
+
+#include "scene/Grid.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+class vtkDataArray;
+
+namespace limpid
+{
+/// A segment of a segmentation.
+struct Segment
+{
+  std::int64_t label = 0;
+  std::string name;
+  int layer = 0; ///< which of the values of each point has its label
+};
+
+/// What the header of a file says. The world is that of NRRD and MetaImage files and of DICOM: x
+/// towards the patient's left, y towards the back, z towards the head.
+struct ImageFile
+{
+  Grid grid;
+  int type = 0;     ///< of VTK; VTK_VOID: not supported
+  int layers = 1;   ///< values per point, stored one after the other
+  double slope = 1; ///< values are slope times those stored, plus intercept
+  double intercept = 0;
+  VoxelFile voxels;
+  std::vector<Segment> segments; ///< empty: the file has no names
+};
+
+/// Reads the header of a file; the end of its name says which format it has. Throws Error.
+ImageFile ReadImageHeader(const std::string& path);
+
+/// Reads the values of a layer, x fastest. Throws Error if the file is too short or damaged.
+vtkSmartPointer<vtkDataArray> ReadValues(const ImageFile& file, int layer);
+
+///@{
+/// Reads a header of one format, see ReadImageHeader.
+ImageFile ReadNiftiHeader(const std::string& path);
+ImageFile ReadNrrdHeader(const std::string& path);
+ImageFile ReadMetaHeader(const std::string& path);
+///@}
+
+/// Returns the grid of an image of which point `index` is at origin + steps index. Throws Error.
+Grid GridOfSteps(const Int3& nodes, const Vec3& origin, const Mat3& steps);
+}
+
+#endif
