@@ -256,7 +256,8 @@ void vtkSMOptimizedVolumeRepresentationProxy::OnRendered(
 // The assumption of the first picture becomes a function that the user sees and can change.
 void vtkSMOptimizedVolumeRepresentationProxy::Start()
 {
-  if (!this->Starts)
+  const char* structures = vtkSMPropertyHelper(this, "StructureArray").GetAsString(4);
+  if (!this->Starts || (structures && *structures)) // structures have their own importance
   {
     return;
   }

@@ -227,6 +227,11 @@ void LimpidStructureModel::setImportant(Row& row, bool important)
   }
 }
 
+bool LimpidStructureModel::isAnyImportant() const
+{
+  return std::any_of(this->Rows.begin(), this->Rows.end(), isImportant);
+}
+
 void LimpidStructureModel::setAllImportant(bool important)
 {
   for (Row& row : this->Rows)

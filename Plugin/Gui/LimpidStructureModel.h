@@ -80,6 +80,8 @@ public:
   /// Gives names to the rows of labels.
   void rename(const Names& names);
 
+  bool isAnyImportant() const;
+
   /// Makes all structures important or unimportant.
   void setAllImportant(bool important);
 

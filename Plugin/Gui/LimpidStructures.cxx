@@ -217,13 +217,19 @@ void LimpidStructures::setColors(const QVariantList& numbers)
   }
 }
 
-// Shows a text below the table, or what to do if it is empty.
+// Shows a text below the table, or what to do if no structure is important.
 void LimpidStructures::setHint(const QString& text)
 {
-  const bool isEmpty = this->Model->rowCount() == 0;
-  this->Hint->setText(text.isEmpty() && isEmpty
-      ? tr("All labels but 0 are equally important. Fill the table to choose among them.")
-      : text);
+  QString advice;
+  if (this->Model->rowCount() == 0)
+  {
+    advice = tr("All labels but 0 are equally important. Fill the table to choose among them.");
+  }
+  else if (!this->Model->isAnyImportant())
+  {
+    advice = tr("Tick what matters.");
+  }
+  this->Hint->setText(text.isEmpty() ? advice : text);
   this->Hint->setVisible(!this->Hint->text().isEmpty());
 }
 

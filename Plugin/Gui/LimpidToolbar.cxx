@@ -5,6 +5,7 @@
 #include "LimpidBestView.h"
 #include "LimpidMovie.h"
 #include "LimpidOptimizedVolumes.h"
+#include "LimpidSegmentation.h"
 #include "LimpidShowOriginal.h"
 #include "pqActiveObjects.h"
 #include "pqView.h"
@@ -21,9 +22,14 @@ LimpidToolbar::LimpidToolbar(QWidget* parentWidget)
   QAction* movie = this->addAction(MovieIcon(), tr("Make Movie"), &MakeMovie);
   movie->setObjectName("MakeMovie");
   movie->setToolTip(MovieToolTip());
+  this->Segmentation =
+    this->addAction(SegmentationIcon(), tr("Open Segmentation ..."), &OpenSegmentation);
+  this->Segmentation->setObjectName("OpenSegmentation");
+  this->Segmentation->setToolTip(SegmentationToolTip());
 
   pqActiveObjects& active = pqActiveObjects::instance();
   this->connect(&active, &pqActiveObjects::viewChanged, this, &LimpidToolbar::watch);
+  this->connect(&active, &pqActiveObjects::portChanged, this, &LimpidToolbar::enable);
   this->watch(active.activeView());
 }
 
@@ -42,6 +48,6 @@ void LimpidToolbar::enable()
   const bool isThere = !VisibleOptimizedVolumes(ActiveRenderView()).empty();
   for (QAction* action : this->actions())
   {
-    action->setEnabled(isThere);
+    action->setEnabled(action == this->Segmentation ? CanOpenSegmentation() : isThere);
   }
 }

@@ -3,7 +3,7 @@
 
 /**
  * @class   LimpidToolbar
- * @brief   actions for the optimised volumes of the active view
+ * @brief   actions for the optimised volumes of the active view, and for the active image
  */
 
 #ifndef LimpidToolbar_h
@@ -23,6 +23,9 @@ public:
 private Q_SLOTS:
   void watch(pqView* view);
   void enable();
+
+private:
+  QAction* Segmentation;
 };
 
 #endif
