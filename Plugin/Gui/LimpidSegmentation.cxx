@@ -5,6 +5,7 @@
 #include "LimpidDisplays.h"
 #include "LimpidLabels.h"
 #include "LimpidOptimizedVolumes.h"
+#include "LimpidStructures.h"
 #include "pqActiveObjects.h"
 #include "pqApplicationCore.h"
 #include "pqCoreUtilities.h"
@@ -32,12 +33,16 @@
 #include <QFileInfo>
 #include <QIcon>
 #include <QMap>
+#include <QScrollArea>
+#include <QScrollBar>
+#include <QTimer>
 
 #include <set>
 #include <string>
 
 namespace
 {
+const int LAYOUT_TIME = 200; // after which the panel has laid out its rows [ms]
 const char* const FILES = "*.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd";
 
 QString Say(const char* text)
@@ -128,6 +133,18 @@ void SetStructures(vtkSMProxy* display)
   display->UpdateVTKObjects();
 }
 
+// Scrolls the properties panel to the table of structures.
+void ScrollToStructures()
+{
+  for (auto* area : pqCoreUtilities::mainWidget()->findChildren<QScrollArea*>("scrollArea"))
+  {
+    if (auto* table = area->findChild<LimpidStructures*>())
+    {
+      area->verticalScrollBar()->setValue(table->mapTo(area->widget(), QPoint()).y());
+    }
+  }
+}
+
 // Shows the image with its labels in place of the image alone.
 void ShowStructures(pqOutputPort* labelled, pqOutputPort* image, pqView* view)
 {
@@ -185,6 +202,7 @@ void OpenSegmentation()
     ShowStructures(filter->getOutputPort(0), image, view);
     pqActiveObjects::instance().setActiveSource(filter);
     view->render();
+    QTimer::singleShot(LAYOUT_TIME, &ScrollToStructures);
   }
 }
 
