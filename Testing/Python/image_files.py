@@ -109,6 +109,7 @@ def write_meta(path, values, matrix, compressed=True, data_file=None, more=""):
     data = zlib.compress(bytes_of(values)) if compressed else bytes_of(values)
     lines = ["ObjectType = Image", f"NDims = {values.ndim}", "BinaryData = True",
              "BinaryDataByteOrderMSB = False", f"CompressedData = {compressed}",
+             *([f"CompressedDataSize = {len(data)}"] if compressed else []),
              "TransformMatrix = " + " ".join(map(repr, map(float, (matrix[:, :3] / spacing).T.ravel()))),
              "Offset = " + " ".join(map(repr, map(float, matrix[:, 3]))),
              "ElementSpacing = " + " ".join(map(repr, map(float, spacing))),
