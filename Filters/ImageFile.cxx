@@ -13,9 +13,7 @@
 #include "math/Require.h"
 #include "scene/ImageGrid.h"
 
-#include <algorithm>
 #include <cstddef>
-#include <limits>
 #include <memory>
 
 namespace limpid
@@ -27,27 +25,19 @@ bool HasEnd(const std::string& path, const char* end)
   return vtksys::SystemTools::StringEndsWith(vtksys::SystemTools::LowerCase(path), end);
 }
 
-bool IsBigEndian()
-{
-  const std::uint16_t one = 1;
-  return *reinterpret_cast<const unsigned char*>(&one) == 0;
-}
-
-// Keeps one of `layers` values of each point, and turns the order of its bytes.
+// Returns one of `layers` values of each point.
 template <class Value>
-void Arrange(const ImageFile& file, int layer, std::vector<char>& bytes, Value* values)
+std::unique_ptr<Value[]> ValuesIn(const std::vector<char>& bytes, const ImageFile& file, int layer)
 {
-  const bool isTurned = file.voxels.isBigEndian != IsBigEndian();
-  const Index count = file.grid.NodeCount();
-  for (Index i = 0; i < count; ++i)
+  const auto count = static_cast<std::size_t>(file.grid.NodeCount());
+  const std::size_t step = static_cast<std::size_t>(file.layers) * sizeof(Value);
+  const char* stored = bytes.data() + static_cast<std::size_t>(layer) * sizeof(Value);
+  std::unique_ptr<Value[]> values(new Value[count]);
+  for (std::size_t i = 0; i < count; ++i)
   {
-    char* stored = bytes.data() + static_cast<std::size_t>(i * file.layers + layer) * sizeof(Value);
-    if (isTurned)
-    {
-      std::reverse(stored, stored + sizeof(Value));
-    }
-    std::copy_n(stored, sizeof(Value), reinterpret_cast<char*>(values + i));
+    values[i] = NumberAt<Value>(stored + i * step, file.voxels.isBigEndian);
   }
+  return values;
 }
 
 template <class Value>
@@ -65,8 +55,7 @@ vtkSmartPointer<vtkDataArray> Read(const ImageFile& file, int layer)
                  << size
                  << " (the file is cut short or damaged, or its header is wrong). Copy or write it "
                     "again.");
-  std::unique_ptr<Value[]> values(new Value[static_cast<std::size_t>(count)]);
-  Arrange(file, layer, bytes, values.get());
+  std::unique_ptr<Value[]> values = ValuesIn<Value>(bytes, file, layer);
   auto array = vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(file.type));
   array->SetVoidArray(values.release(), count, 0, vtkAbstractArray::VTK_DATA_ARRAY_DELETE);
   return array;

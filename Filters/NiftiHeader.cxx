@@ -70,17 +70,7 @@ private:
   template <class Value>
   double At(std::size_t place) const
   {
-    std::array<char, sizeof(Value)> bytes;
-    std::copy_n(this->Bytes.data() + place, sizeof(Value), bytes.data());
-    const std::uint16_t one = 1;
-    const bool hostIsBigEndian = *reinterpret_cast<const unsigned char*>(&one) == 0;
-    if (this->IsBigEndian != hostIsBigEndian)
-    {
-      std::reverse(bytes.begin(), bytes.end());
-    }
-    Value value;
-    std::copy_n(bytes.data(), sizeof(Value), reinterpret_cast<char*>(&value));
-    return static_cast<double>(value);
+    return static_cast<double>(NumberAt<Value>(this->Bytes.data() + place, this->IsBigEndian));
   }
 
   std::array<char, size2> Bytes{};

@@ -6,7 +6,10 @@
 #ifndef limpid_VoxelFile_h
 #define limpid_VoxelFile_h
 
+#include <algorithm>
+#include <array>
 #include <cstdint>
+#include <cstring>
 #include <string>
 
 namespace limpid
@@ -22,6 +25,23 @@ struct VoxelFile
   std::int64_t skip = 0;     ///< bytes before the values, once decompressed
   bool isBigEndian = false;
 };
+
+/// Returns the number at the beginning of some bytes, which have the order of a file.
+template <class Value>
+Value NumberAt(const char* stored, bool isBigEndian)
+{
+  const std::uint16_t one = 1;
+  const bool hostIsBigEndian = *reinterpret_cast<const unsigned char*>(&one) == 0;
+  std::array<char, sizeof(Value)> bytes;
+  std::copy_n(stored, sizeof(Value), bytes.data());
+  if (isBigEndian != hostIsBigEndian)
+  {
+    std::reverse(bytes.begin(), bytes.end());
+  }
+  Value value;
+  std::memcpy(&value, bytes.data(), sizeof(Value));
+  return value;
+}
 
 /// Returns whether a file begins like one of gzip. Throws Error if it cannot be opened.
 bool IsGzip(const std::string& path);

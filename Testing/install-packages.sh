@@ -10,7 +10,7 @@ set -euo pipefail
 
 packages=(
   # build
-  g++ cmake ninja-build libglm-dev libtbb-dev
+  g++ cmake ninja-build libglm-dev libtbb-dev zlib1g-dev
   # ParaView and what its CMake files look for
   paraview-dev python3-paraview python3-dev libopenmpi-dev
   # tests and benchmarks

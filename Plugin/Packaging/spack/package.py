@@ -36,6 +36,7 @@ class Limpid(CMakePackage, CudaPackage):
 
     depends_on("glm")
     depends_on("tbb")
+    depends_on("zlib-api")
     depends_on("paraview@5.11: +python", when="+paraview")
     depends_on("paraview +qt", when="+gui")
     depends_on("vtk@9.2: +python", when="+vtk")

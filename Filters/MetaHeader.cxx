@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Headers of MetaImage.
+
+#include "ImageFile.h"
+#include "TextHeader.h"
+
+#include "vtkType.h"
+
+#include "math/Require.h"
+
+#include <cstddef>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace limpid
+{
+namespace
+{
+const std::map<std::string, int>& MetaTypes()
+{
+  static const std::map<std::string, int> types{ { "met_char", VTK_SIGNED_CHAR },
+    { "met_uchar", VTK_UNSIGNED_CHAR }, { "met_short", VTK_SHORT },
+    { "met_ushort", VTK_UNSIGNED_SHORT }, { "met_int", VTK_INT }, { "met_uint", VTK_UNSIGNED_INT },
+    { "met_long", VTK_INT }, { "met_ulong", VTK_UNSIGNED_INT }, { "met_long_long", VTK_LONG_LONG },
+    { "met_ulong_long", VTK_UNSIGNED_LONG_LONG }, { "met_float", VTK_FLOAT },
+    { "met_double", VTK_DOUBLE } };
+  return types;
+}
+}
+
+ImageFile ReadMetaHeader(const std::string& path)
+{
+  const TextHeader header(path, '=', "elementdatafile");
+  const std::vector<double> sizes = header.Numbers({ "dimsize" });
+  LIMPID_REQUIRE(sizes.size() == 3,
+    "It has " << sizes.size() << " axes (a volume has 3). Give a volume as a MetaImage.");
+  LIMPID_REQUIRE(header.Numbers({ "elementnumberofchannels" }, { 1 }).front() == 1,
+    "It has several numbers per point (labels are one). Extract one channel.");
+  ImageFile file;
+  const std::vector<double> spacing =
+    header.Numbers({ "elementspacing", "elementsize" }, { 1, 1, 1 });
+  const std::vector<double> origin =
+    header.Numbers({ "offset", "origin", "position" }, { 0, 0, 0 });
+  const std::vector<double> axes =
+    header.Numbers({ "transformmatrix", "rotation", "orientation" }, { 1, 0, 0, 0, 1, 0, 0, 0, 1 });
+  Mat3 steps;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    steps[static_cast<int>(axis)] =
+      spacing[axis] * Vec3(axes[3 * axis], axes[3 * axis + 1], axes[3 * axis + 2]);
+  }
+  file.grid = GridOfSteps(NodesOf(sizes, 0), Vec3(origin[0], origin[1], origin[2]), steps);
+  file.type = TypeOf(MetaTypes(), header.Lower({ "elementtype" }));
+  file.voxels.isCompressed = header.Lower({ "compresseddata" }) == "true";
+  file.voxels.isBigEndian =
+    header.Lower({ "binarydatabyteordermsb", "elementbyteordermsb" }) == "true";
+  const std::string dataFile = header.Text({ "elementdatafile" });
+  SetVoxels(path, dataFile == "LOCAL" ? "" : dataFile, header.Length(), file.voxels);
+  const double skip = header.Numbers({ "headersize" }, { 0 }).front();
+  file.voxels.offset = skip != 0 ? static_cast<std::int64_t>(skip) : file.voxels.offset;
+  return file;
+}
+}
