@@ -20,7 +20,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <exception>
+#include <string>
 
 vtkStandardNewMacro(vtkSegmentationReader);
 
@@ -41,7 +43,7 @@ void Announce(const limpid::Grid& grid, int type, vtkInformation* info)
   {
     for (int axis = 0; axis < 3; ++axis)
     {
-      direction[static_cast<std::size_t>(3 * row + axis)] = grid.direction[axis][row];
+      direction[3 * std::size_t(row) + std::size_t(axis)] = grid.direction[axis][row];
     }
   }
   info->Set(vtkDataObject::DIRECTION(), direction.data(), 9);

@@ -257,7 +257,8 @@ void vtkSMOptimizedVolumeRepresentationProxy::OnRendered(
 void vtkSMOptimizedVolumeRepresentationProxy::Start()
 {
   const char* structures = vtkSMPropertyHelper(this, "StructureArray").GetAsString(4);
-  if (!this->Starts || (structures && *structures)) // structures have their own importance
+  const bool hasStructures = structures && std::string(structures) != "(None)";
+  if (!this->Starts || hasStructures) // these have their own importance
   {
     return;
   }

@@ -35,14 +35,12 @@
 #include <QMap>
 #include <QScrollArea>
 #include <QScrollBar>
-#include <QTimer>
 
 #include <set>
 #include <string>
 
 namespace
 {
-const int LAYOUT_TIME = 200; // after which the panel has laid out its rows [ms]
 const char* const FILES = "*.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd";
 
 QString Say(const char* text)
@@ -133,18 +131,6 @@ void SetStructures(vtkSMProxy* display)
   display->UpdateVTKObjects();
 }
 
-// Scrolls the properties panel to the table of structures.
-void ScrollToStructures()
-{
-  for (auto* area : pqCoreUtilities::mainWidget()->findChildren<QScrollArea*>("scrollArea"))
-  {
-    if (auto* table = area->findChild<LimpidStructures*>())
-    {
-      area->verticalScrollBar()->setValue(table->mapTo(area->widget(), QPoint()).y());
-    }
-  }
-}
-
 // Shows the image with its labels in place of the image alone.
 void ShowStructures(pqOutputPort* labelled, pqOutputPort* image, pqView* view)
 {
@@ -183,7 +169,7 @@ bool CanOpenSegmentation()
     port->getDataInformation()->GetDataSetType() == VTK_IMAGE_DATA;
 }
 
-void OpenSegmentation()
+bool OpenSegmentation()
 {
   pqOutputPort* image = pqActiveObjects::instance().activePort();
   auto* view = qobject_cast<pqRenderView*>(pqActiveObjects::instance().activeView());
@@ -193,16 +179,28 @@ void OpenSegmentation()
   dialog.setFileMode(pqFileDialog::ExistingFile);
   if (dialog.exec() != QDialog::Accepted)
   {
-    return;
+    return false;
   }
   SCOPED_UNDO_SET(Say("Open Segmentation"));
   pqPipelineSource* filter = AddStructures(image, dialog.getSelectedFiles());
-  if (filter && view)
+  if (!filter || !view)
   {
-    ShowStructures(filter->getOutputPort(0), image, view);
-    pqActiveObjects::instance().setActiveSource(filter);
-    view->render();
-    QTimer::singleShot(LAYOUT_TIME, &ScrollToStructures);
+    return false;
+  }
+  ShowStructures(filter->getOutputPort(0), image, view);
+  pqActiveObjects::instance().setActiveSource(filter);
+  view->render();
+  return true;
+}
+
+void ScrollToStructures()
+{
+  for (auto* area : pqCoreUtilities::mainWidget()->findChildren<QScrollArea*>("scrollArea"))
+  {
+    if (auto* table = area->findChild<LimpidStructures*>())
+    {
+      area->verticalScrollBar()->setValue(table->mapTo(area->widget(), QPoint()).y());
+    }
   }
 }
 

@@ -16,8 +16,11 @@ bool CanOpenSegmentation();
 
 /// Asks for a file, adds its labels to the active image, and shows the result in place of the image
 /// as an optimized volume. Its table of structures is filled, with none of them important. All of
-/// this is one undo step.
-void OpenSegmentation();
+/// this is one undo step. Returns whether a volume is shown.
+bool OpenSegmentation();
+
+/// Scrolls the properties panel to the table of structures.
+void ScrollToStructures();
 
 QIcon SegmentationIcon();
 QString SegmentationToolTip();

@@ -11,6 +11,13 @@
 #include "pqView.h"
 #include "vtkSMRenderViewProxy.h"
 
+#include <QTimer>
+
+namespace
+{
+const int LAYOUT_TIME = 200; // after which the panel has laid out its rows [ms]
+}
+
 LimpidToolbar::LimpidToolbar(QWidget* parentWidget)
   : QToolBar(tr("Limpid"), parentWidget)
 {
@@ -22,8 +29,8 @@ LimpidToolbar::LimpidToolbar(QWidget* parentWidget)
   QAction* movie = this->addAction(MovieIcon(), tr("Make Movie"), &MakeMovie);
   movie->setObjectName("MakeMovie");
   movie->setToolTip(MovieToolTip());
-  this->Segmentation =
-    this->addAction(SegmentationIcon(), tr("Open Segmentation ..."), &OpenSegmentation);
+  this->Segmentation = this->addAction(
+    SegmentationIcon(), tr("Open Segmentation ..."), this, SLOT(openSegmentation()));
   this->Segmentation->setObjectName("OpenSegmentation");
   this->Segmentation->setToolTip(SegmentationToolTip());
 
@@ -40,6 +47,19 @@ void LimpidToolbar::watch(pqView* view)
     this->connect(view, &pqView::endRender, this, &LimpidToolbar::enable, Qt::UniqueConnection);
   }
   this->enable();
+}
+
+void LimpidToolbar::openSegmentation()
+{
+  if (OpenSegmentation())
+  {
+    QTimer::singleShot(LAYOUT_TIME, this, SLOT(scrollToStructures()));
+  }
+}
+
+void LimpidToolbar::scrollToStructures()
+{
+  ScrollToStructures();
 }
 
 // The toolbar itself is always enabled, so that it can be moved.

@@ -23,6 +23,8 @@ public:
 private Q_SLOTS:
   void watch(pqView* view);
   void enable();
+  void openSegmentation();
+  void scrollToStructures();
 
 private:
   QAction* Segmentation;
