@@ -174,7 +174,8 @@ struct vtkAddStructures::Internals
   {
     vtkSmartPointer<vtkDataArray> values;
     bool onCells = false;
-    Names names; // that the data have
+    Names masks; // all of them, also those that are empty
+    Names names; // of labels, of which the data need not have all
   };
 
   static vtkImageData* RequireImage(vtkInformationVector* input, const std::string& subject);
@@ -241,7 +242,7 @@ vtkAddStructures::Internals::Labels vtkAddStructures::Internals::ReadMasks(
                                              "the last mask counts. If it should be "
                                              "another one, order the arrays accordingly.");
   }
-  return { read.labels, masks.front().onCells, NamesOf(masks) };
+  return { read.labels, masks.front().onCells, NamesOf(masks), {} };
 }
 
 vtkAddStructures::Internals::Labels vtkAddStructures::Internals::Read(vtkImageData* image) const
@@ -261,7 +262,7 @@ vtkAddStructures::Internals::Labels vtkAddStructures::Internals::Read(vtkImageDa
     return this->ReadMasks(image, ComponentsOf({ chosen }));
   }
   limpid::RequireOneEach(image, chosen);
-  return { limpid::WholeLabels(chosen.array), chosen.onCells, limpid::StructureNamesOf(image) };
+  return { limpid::WholeLabels(chosen.array), chosen.onCells, {}, limpid::StructureNamesOf(image) };
 }
 
 // Adds the names of TableFile.
@@ -295,12 +296,12 @@ void vtkAddStructures::Internals::Write(
   const Labels& labels, vtkDataArray* structure, vtkTable* table) const
 {
   std::map<std::int64_t, vtkIdType> given = limpid::CountLabels(labels.values);
-  for (const auto& entry : labels.names)
+  for (const auto& entry : labels.masks)
   {
-    given.emplace(entry.first, 0); // masks that are empty
+    given.emplace(entry.first, 0);
   }
   given.erase(0);
-  Names names = labels.names;
+  Names names = labels.masks.empty() ? labels.names : labels.masks;
   this->AddNames(given, names);
   std::map<std::int64_t, vtkIdType> points = limpid::CountLabels(structure);
   vtkNew<vtkIdTypeArray> labelColumn;
