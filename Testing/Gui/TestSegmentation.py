@@ -48,6 +48,11 @@ def count_actions():
                 if "MacrosToolbar" not in place and command not in ("keyEvent", "mouseRelease")])
 
 
+def text_of(view):
+    props = view.GetRenderer().GetViewProps()
+    return "".join(str(prop) for prop in props if prop.IsA("vtkScoreAnnotation"))
+
+
 def shares(display):
     """Of each structure, as the property has them: visible, before, removed, attainable."""
     return np.reshape(list(display.StructureShares), (-1, 4))
@@ -105,6 +110,19 @@ def tell():
     filter_ = simple.FindSource("AddStructures1")
     found = vtk_to_numpy(simple.servermanager.Fetch(filter_).GetPointData().GetArray("Structure"))
     expect((found == labels.ravel(order="F")).all(), "each label is at its place")
+
+    display = simple.GetDisplayProperties(filter_, view)
+    rows = structures(display)
+    for name, target in (("vessels", "0.44"), ("tumour", "0.047")):
+        place = rows.index(name)
+        rows[place + 1:place + 3] = "1", target
+    display.Structures = rows
+    display.StructureColors = 0.5
+    simple.Render(view)
+    expect(frames.settle(3 * story.PATIENCE, 2), "rendering ends")
+    text = text_of(view)
+    expect("target" in text and "Structures: vessels" in text, f"targets and names are told: {text}")
+    story.screenshot("targets.png")
 
 
 story.begin(tell())
