@@ -13,6 +13,8 @@
 #include "math/Require.h"
 #include "scene/ImageGrid.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <memory>
 
@@ -25,23 +27,54 @@ bool HasEnd(const std::string& path, const char* end)
   return vtksys::SystemTools::StringEndsWith(vtksys::SystemTools::LowerCase(path), end);
 }
 
-// Returns one of `layers` values of each point.
-template <class Value>
-std::unique_ptr<Value[]> ValuesIn(const std::vector<char>& bytes, const ImageFile& file, int layer)
+// Where the values of an image are in a file, in steps of one value.
+struct Layout
 {
-  const auto count = static_cast<std::size_t>(file.grid.NodeCount());
-  const std::size_t step = static_cast<std::size_t>(file.layers) * sizeof(Value);
-  const char* stored = bytes.data() + static_cast<std::size_t>(layer) * sizeof(Value);
-  std::unique_ptr<Value[]> values(new Value[count]);
-  for (std::size_t i = 0; i < count; ++i)
+  Layout(const ImageFile& file, int layer, const AxisOrder& order)
+    : nodes(InOrder(file.grid, order).nodes)
+    , first(layer)
   {
-    values[i] = NumberAt<Value>(stored + i * step, file.voxels.isBigEndian);
+    const Int3& stored = file.grid.nodes;
+    const std::array<Index, 3> strides{ file.layers, Index(file.layers) * stored.x,
+      Index(file.layers) * stored.x * stored.y };
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      const auto from = static_cast<std::size_t>(order.from[axis]);
+      this->step[axis] = order.isBackwards[axis] ? -strides[from] : strides[from];
+      this->first += order.isBackwards[axis] ? strides[from] * (stored[order.from[axis]] - 1) : 0;
+    }
+  }
+
+  Int3 nodes;
+  Index first;
+  std::array<Index, 3> step{};
+};
+
+template <class Value>
+std::unique_ptr<Value[]> Arranged(
+  const std::vector<char>& bytes, const Layout& layout, bool isBigEndian)
+{
+  const Int3& nodes = layout.nodes;
+  std::unique_ptr<Value[]> values(
+    new Value[static_cast<std::size_t>(Index(nodes.x) * nodes.y * nodes.z)]);
+  Value* value = values.get();
+  for (int z = 0; z < nodes.z; ++z)
+  {
+    for (int y = 0; y < nodes.y; ++y)
+    {
+      const Index row = layout.first + z * layout.step[2] + y * layout.step[1];
+      for (int x = 0; x < nodes.x; ++x)
+      {
+        const auto at = static_cast<std::size_t>(row + x * layout.step[0]);
+        *value++ = NumberAt<Value>(bytes.data() + at * sizeof(Value), isBigEndian);
+      }
+    }
   }
   return values;
 }
 
 template <class Value>
-vtkSmartPointer<vtkDataArray> Read(const ImageFile& file, int layer)
+vtkSmartPointer<vtkDataArray> Read(const ImageFile& file, const Layout& layout)
 {
   const Index count = file.grid.NodeCount();
   const std::int64_t size = count * file.layers * static_cast<std::int64_t>(sizeof(Value));
@@ -55,7 +88,7 @@ vtkSmartPointer<vtkDataArray> Read(const ImageFile& file, int layer)
                  << size
                  << " (the file is cut short or damaged, or its header is wrong). Copy or write it "
                     "again.");
-  std::unique_ptr<Value[]> values = ValuesIn<Value>(bytes, file, layer);
+  std::unique_ptr<Value[]> values = Arranged<Value>(bytes, layout, file.voxels.isBigEndian);
   auto array = vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(file.type));
   array->SetVoidArray(values.release(), count, 0, vtkAbstractArray::VTK_DATA_ARRAY_DELETE);
   return array;
@@ -91,17 +124,56 @@ ImageFile ReadImageHeader(const std::string& path)
   return ReadMetaHeader(path);
 }
 
-vtkSmartPointer<vtkDataArray> ReadValues(const ImageFile& file, int layer)
+vtkSmartPointer<vtkDataArray> ReadValues(const ImageFile& file, int layer, const AxisOrder& order)
 {
+  const Layout layout(file, layer, order);
   vtkSmartPointer<vtkDataArray> values;
   switch (file.type)
   {
-    vtkTemplateMacro(values = Read<VTK_TT>(file, layer));
+    vtkTemplateMacro(values = Read<VTK_TT>(file, layout));
   }
   const bool isScaled = file.slope != 1 || file.intercept != 0;
   values = isScaled ? Rescaled(values, file) : values;
   values->SetName("Values");
   return values;
+}
+
+AxisOrder::AxisOrder(const Grid& file)
+  : from{ 0, 1, 2 }
+{
+  const auto nearness = [&file](const std::array<int, 3>& axes)
+  {
+    return std::abs(file.direction[axes[0]].x) + std::abs(file.direction[axes[1]].y) +
+      std::abs(file.direction[axes[2]].z);
+  };
+  for (std::array<int, 3> axes{ 0, 1, 2 }; std::next_permutation(axes.begin(), axes.end());)
+  {
+    constexpr double rounding = 1e-9;
+    this->from = nearness(axes) > nearness(this->from) + rounding ? axes : this->from;
+  }
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const auto at = static_cast<std::size_t>(axis);
+    this->isBackwards[at] = file.direction[this->from[at]][axis] < 0;
+  }
+}
+
+Grid InOrder(const Grid& file, const AxisOrder& order)
+{
+  Grid image = file;
+  Vec3 first(0.0); // point of the file
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const auto at = static_cast<std::size_t>(axis);
+    const int from = order.from[at];
+    const bool isBackwards = order.isBackwards[at];
+    image.nodes[axis] = file.nodes[from];
+    image.spacing[axis] = file.spacing[from];
+    image.direction[axis] = isBackwards ? -file.direction[from] : file.direction[from];
+    first[from] = isBackwards ? file.nodes[from] - 1 : 0;
+  }
+  image.origin = file.PointToWorld(first);
+  return image;
 }
 
 Grid GridOfSteps(const Int3& nodes, const Vec3& origin, const Mat3& steps)

@@ -12,6 +12,7 @@
 
 #include "scene/Grid.h"
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -32,7 +33,7 @@ struct Segment
 /// towards the patient's left, y towards the back, z towards the head.
 struct ImageFile
 {
-  Grid grid;
+  Grid grid;        ///< of the values in the order of the file
   int type = 0;     ///< of VTK; VTK_VOID: not supported
   int layers = 1;   ///< values per point, stored one after the other
   double slope = 1; ///< values are slope times those stored, plus intercept
@@ -44,8 +45,22 @@ struct ImageFile
 /// Reads the header of a file; the end of its name says which format it has. Throws Error.
 ImageFile ReadImageHeader(const std::string& path);
 
-/// Reads the values of a layer, x fastest. Throws Error if the file is too short or damaged.
-vtkSmartPointer<vtkDataArray> ReadValues(const ImageFile& file, int layer);
+/// Which axes of a file become those of an image, in their order. Displays of ParaView ignore
+/// directions, so those of the image are as near to the axes of the world as they can.
+struct AxisOrder
+{
+  explicit AxisOrder(const Grid& file);
+
+  std::array<int, 3> from;         ///< axis of the file
+  std::array<bool, 3> isBackwards; ///< whether it is passed from its end
+};
+
+/// Returns the grid of the image. Its points are those of the file.
+Grid InOrder(const Grid& file, const AxisOrder& order);
+
+/// Reads the values of a layer in this order, x fastest. Throws Error if the file is too short or
+/// damaged.
+vtkSmartPointer<vtkDataArray> ReadValues(const ImageFile& file, int layer, const AxisOrder& order);
 
 ///@{
 /// Reads a header of one format, see ReadImageHeader.

@@ -135,7 +135,8 @@ int vtkSegmentationReader::RequestInformation(
     [&](const limpid::ImageFile& file)
     {
       const int type = IsScaled(file) ? VTK_FLOAT : file.type;
-      Announce(file.grid, type, outputVector->GetInformationObject(0));
+      const limpid::Grid grid = limpid::InOrder(file.grid, limpid::AxisOrder(file.grid));
+      Announce(grid, type, outputVector->GetInformationObject(0));
     });
 }
 
@@ -151,7 +152,8 @@ int vtkSegmentationReader::RequestData(
         "There is no layer " << this->Layer << " (the file has " << file.layers
                              << ", from 0 on). Choose another one.");
       output->SetExtent(info->Get(Pipeline::WHOLE_EXTENT()));
-      output->GetPointData()->SetScalars(limpid::ReadValues(file, this->Layer));
+      output->GetPointData()->SetScalars(
+        limpid::ReadValues(file, this->Layer, limpid::AxisOrder(file.grid)));
       output->Crop(info->Get(Pipeline::UPDATE_EXTENT()));
       limpid::SetStructureNames(NamesOf(file, this->Layer), output);
       const std::string others = NamesElsewhere(file, this->Layer);

@@ -12,7 +12,9 @@
  *   float if the file rescales its values. Origin, spacing and direction are those of the file, in
  *   one world for all formats: x towards the patient's left, y towards the back, z towards the head
  *   (LPS, as in DICOM). Coordinates of NIfTI and of RAS files become these; those of files that
- *   name no space are kept. The direction matrix may be left-handed.
+ *   name no space are kept. Axes are exchanged and reversed so that those of the image go along
+ *   those of the world as far as they can: displays of ParaView 5.11 ignore the direction matrix,
+ *   which is that of unity unless the image is oblique.
  *   If the file names its labels, its field data have them: "StructureLabels" and "StructureNames".
  *   Files of 3D Slicer and NIfTI files with a label table (of TotalSegmentator or Connectome
  *   Workbench) do.

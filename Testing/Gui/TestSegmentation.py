@@ -9,7 +9,7 @@ import re
 
 import numpy as np
 import story
-from image_files import segments, write_nifti, write_nrrd
+from image_files import in_order, segments, write_nifti, write_nrrd
 from paraview import simple, smtrace
 from paraview.vtk.util.numpy_support import vtk_to_numpy
 from story import expect
@@ -31,12 +31,13 @@ def write_files():
     first, last = where.min(axis=0), where.max(axis=0) + 1
     to_right = np.diag([-1, -1, 1])  # NIfTI's x and y are opposite to those of NRRD
     origin = np.array([20.0, -90, 50])
+    matrix = np.column_stack([steps, origin])
     write_nifti("ct.nii.gz", (1000 * values).astype("int16"),
-                to_right @ np.column_stack([steps, origin]))
+                to_right @ matrix)
     write_nrrd("head.seg.nrrd", labels[tuple(map(slice, first, last))].astype("uint8"),
                np.column_stack([steps, origin + steps @ first]),
                more=segments(*((label, NAMES[label], 0) for label in np.unique(labels[labels > 0]))))
-    return labels
+    return in_order(labels, matrix)[0]
 
 
 def count_actions():

@@ -5,6 +5,7 @@
 the steps from a point to the next ones in its columns, and the place of the first one in the last."""
 
 import gzip
+import itertools
 import struct
 import zlib
 
@@ -15,6 +16,21 @@ NIFTI_TYPES = {"uint8": 2, "int16": 4, "int32": 8, "float32": 16, "float64": 64,
 NRRD_TYPES = {"uint8": "unsigned char", "int16": "short", "uint16": "ushort", "float32": "float"}
 META_TYPES = {"uint8": "MET_UCHAR", "int16": "MET_SHORT", "uint16": "MET_USHORT",
               "float32": "MET_FLOAT"}
+
+
+def in_order(values, matrix):
+    """The same image with its axes as near to those of the world as they can be."""
+    values, matrix = np.asarray(values), np.array(matrix, float)
+    nearness = abs(matrix[:, :3] / np.linalg.norm(matrix[:, :3], axis=0))
+    order = list(max(itertools.permutations(range(3)),
+                     key=lambda axes: sum(nearness[i, axis] for i, axis in enumerate(axes))))
+    values, matrix = values.transpose(order), matrix[:, order + [3]]
+    for axis in range(3):
+        if matrix[axis, axis] < 0:
+            matrix[:, 3] += matrix[:, axis] * (values.shape[axis] - 1)
+            matrix[:, axis] *= -1
+            values = np.flip(values, axis)
+    return values, matrix
 
 
 def bytes_of(values, order="<"):
