@@ -37,7 +37,7 @@ ImageFile ReadMetaHeader(const std::string& path)
   const std::vector<double> sizes = header.Numbers({ "dimsize" });
   LIMPID_REQUIRE(sizes.size() == 3,
     "It has " << sizes.size() << " axes (a volume has 3). Give a volume as a MetaImage.");
-  LIMPID_REQUIRE(header.Numbers({ "elementnumberofchannels" }, { 1 }).front() == 1,
+  LIMPID_REQUIRE(header.WholeNumber({ "elementnumberofchannels" }, 1, 1) == 1,
     "It has several numbers per point (labels are one). Extract one channel.");
   ImageFile file;
   const std::vector<double> spacing =
@@ -59,8 +59,8 @@ ImageFile ReadMetaHeader(const std::string& path)
     header.Lower({ "binarydatabyteordermsb", "elementbyteordermsb" }) == "true";
   const std::string dataFile = header.Text({ "elementdatafile" });
   SetVoxels(path, dataFile == "LOCAL" ? "" : dataFile, header.Length(), file.voxels);
-  const double skip = header.Numbers({ "headersize" }, { 0 }).front();
-  file.voxels.offset = skip != 0 ? static_cast<std::int64_t>(skip) : file.voxels.offset;
+  const std::int64_t skip = header.WholeNumber({ "headersize" }, 0, VoxelFile::atEnd);
+  file.voxels.offset = skip != 0 ? skip : file.voxels.offset;
   return file;
 }
 }

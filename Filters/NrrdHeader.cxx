@@ -52,15 +52,12 @@ std::vector<Segment> SegmentsOf(const TextHeader& header, bool hasLayers)
   for (int number = 0; header.Has("segment" + std::to_string(number) + "_name"); ++number)
   {
     const std::string key = "segment" + std::to_string(number) + "_";
-    const auto value = [&](const char* name, int otherwise)
-    {
-      const std::string field = key + name;
-      return static_cast<std::int64_t>(
-        header.Numbers({ field.c_str() }, { static_cast<double>(otherwise) }).front());
-    };
+    const std::string label = key + "labelvalue";
+    const std::string layer = key + "layer";
     const std::string name = key + "name";
-    segments.push_back({ value("labelvalue", 1), header.Text({ name.c_str() }),
-      static_cast<int>(value("layer", hasLayers ? number : 0)) });
+    segments.push_back(
+      { header.WholeNumber({ label.c_str() }, 1, -0x1p53), header.Text({ name.c_str() }),
+        static_cast<int>(header.WholeNumber({ layer.c_str() }, hasLayers ? number : 0, 0)) });
   }
   return segments;
 }
@@ -134,19 +131,16 @@ ImageFile ReadNrrdHeader(const std::string& path)
   file.voxels.isCompressed = encoding != "raw";
   file.voxels.isBigEndian = header.Lower({ "endian" }) == "big";
   SetVoxels(path, header.Text({ "data file", "datafile" }), header.Length(), file.voxels);
-  const double skip = header.Numbers({ "byte skip", "byteskip" }, { 0 }).front();
-  LIMPID_REQUIRE(
-    skip >= VoxelFile::atEnd && header.Numbers({ "line skip", "lineskip" }, { 0 }).front() == 0,
-    "It skips lines or " << skip
-                         << " bytes (at least 0, or -1 for values at the end, are read). "
-                            "Write it without.");
+  LIMPID_REQUIRE(header.WholeNumber({ "line skip", "lineskip" }, 0, 0) == 0,
+    "It skips lines (only bytes are). Write it without.");
+  const std::int64_t skip = header.WholeNumber({ "byte skip", "byteskip" }, 0, VoxelFile::atEnd);
   if (skip == VoxelFile::atEnd)
   {
-    file.voxels.offset = VoxelFile::atEnd;
+    file.voxels.offset = skip;
   }
   else
   {
-    file.voxels.skip = static_cast<std::int64_t>(skip);
+    file.voxels.skip = skip;
   }
   return file;
 }

@@ -9,6 +9,7 @@
 #include "math/Require.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <locale>
 #include <sstream>
@@ -84,6 +85,15 @@ std::vector<double> TextHeader::Numbers(Names names, const std::vector<double>& 
     "Its field \"" << *names.begin() << "\" has " << numbers.size() << " numbers (there should be "
                    << otherwise.size() << "). Correct the header.");
   return numbers;
+}
+
+std::int64_t TextHeader::WholeNumber(Names names, std::int64_t otherwise, double least) const
+{
+  const double number = this->Numbers(names, { static_cast<double>(otherwise) }).front();
+  LIMPID_REQUIRE(number >= least && number < 0x1p53 && number == std::floor(number),
+    "Its field \"" << *names.begin() << "\" is " << number << " (it is a whole number from "
+                   << least << " on). Correct the header.");
+  return static_cast<std::int64_t>(number);
 }
 
 std::vector<std::optional<Vec3>> TextHeader::Vectors(const char* name) const

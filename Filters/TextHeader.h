@@ -44,6 +44,10 @@ public:
   std::vector<double> Numbers(Names names, const std::vector<double>& otherwise) const;
   ///@}
 
+  /// Returns the whole number of a field; if there is none, `otherwise`. Throws Error unless it is
+  /// `least` or more.
+  std::int64_t WholeNumber(Names names, std::int64_t otherwise, double least) const;
+
   /// Returns the vectors of a field such as (1,0,0) none (0,1,0); null for "none". Throws Error for
   /// anything else.
   std::vector<std::optional<Vec3>> Vectors(const char* name) const;

@@ -335,7 +335,9 @@ class TestMessages(ReaderTest):
                                 (b"directions: (", b"directions: (a", "space directions"),
                                 (b"directions: (", b"directions: none (", "no vector for axis 0"),
                                 (b"sizes: 5 4", b"sizes: 5 0", "0 points"),
-                                (b"sizes: 5 4", b"sizes: 5 60000", "announces")):
+                                (b"sizes: 5 4", b"sizes: 5 60000", "announces"),
+                                (b"endian", b"byte skip: -2\nendian", '"byte skip" is -2'),
+                                (b"endian", b"line skip: 1\nendian", "skips lines")):
             self.write("b.nrrd", content.replace(now, then, 1))
             self.expect_words("b.nrrd", word)
 
