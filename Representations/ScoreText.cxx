@@ -9,9 +9,9 @@
 #include "vtkVariant.h"
 
 #include "math/PercentText.h"
+#include "optimize/TargetSearch.h"
 
 #include <algorithm>
-#include <sstream>
 #include <vector>
 
 namespace limpid
@@ -32,7 +32,7 @@ std::string Where(vtkTransmittanceVolumeMapper* mapper)
   return inArray ? " in " + (array.empty() ? "Extinction" : array) : "";
 }
 
-std::string Progress(vtkTransmittanceVolumeMapper* mapper)
+std::string StateOfIterations(vtkTransmittanceVolumeMapper* mapper)
 {
   if (mapper->GetPauseOptimization())
   {
@@ -56,16 +56,17 @@ std::string StructureLine(vtkTable* structures, vtkIdType row)
 {
   const auto number = [&](const char* column)
   { return structures->GetValueByName(row, column).ToDouble(); };
-  const double target = number("Target");
-  std::string text = "\n" + structures->GetValueByName(row, "Name").ToString() + " " +
-    PercentText(number("Visible")) + " of at most " + PercentText(number("Attainable"));
-  if (target >= 0)
+  Structure structure;
+  structure.name = structures->GetValueByName(row, "Name").ToString();
+  if (const double target = number("Target"); target >= 0)
   {
-    std::ostringstream percent;
-    percent << 100 * target;
-    text += " (target " + percent.str() + " %)";
+    structure.target = target;
   }
-  return text;
+  StructureShares shares;
+  shares.visible = number("Visible");
+  shares.attainable = number("Attainable");
+  shares.important = shares.attainable; // whether there is anything to see
+  return "\n" + TextOf(structure, shares);
 }
 
 // Returns the rows of the structures that the text names: those with a target, or else the most
@@ -148,7 +149,7 @@ std::string ScoreText(vtkTransmittanceVolumeMapper* mapper, bool isInView, const
     constexpr double worthTelling = 0.0005; // smaller shares would read 0.0 %
     const double removed = mapper->GetSacrificedFraction();
     text += removed >= worthTelling ? PercentText(removed) + " removed, " : "";
-    text += Progress(mapper);
+    text += StateOfIterations(mapper);
   }
   return text + StructureLines(mapper);
 }

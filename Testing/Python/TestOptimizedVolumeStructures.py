@@ -85,8 +85,8 @@ class TestOptimizedVolumeStructures(displays.DisplayTest):
         self.targets("", "0.955", "", "0.2")
         lines = self.lines()
         self.assertEqual([line.split()[0] for line in lines], ["shell", "seed"])
-        self.assertTrue(lines[0].endswith(" % (target 95.5 %)"), lines)
-        self.assertTrue(lines[1].endswith(" % (target 20 %)"), lines)
+        self.assertRegex(lines[0], r" \d+\.\d % of at most \d+\.\d % \(target 95\.5 %\)$")
+        self.assertRegex(lines[1], r" \d+\.\d % (of at most \d+\.\d % \(target|\(>=) 20\.0 %\)$")
 
     def test_the_text_does_not_repeat_the_score(self):
         self.display.ShowScore = 1

@@ -63,21 +63,26 @@ const char* const protectionIsLost =
   "ProtectImportance is not used (less would be visible of structures with targets). Lower the "
   "targets to keep important structures whole.";
 
+std::string TextOf(const Structure& structure, const StructureShares& shares)
+{
+  std::string text = structure.NameOrLabel() + " " + PercentText(shares.visible);
+  if (StateOf(structure, shares) == TargetState::Met)
+  {
+    return text + " (>= " + PercentText(*structure.target) + ")";
+  }
+  text += " of at most " + PercentText(shares.attainable);
+  return structure.target ? text + " (target " + PercentText(*structure.target) + ")" : text;
+}
+
 std::string TextOfTargets(const Structures& structures, const std::vector<StructureShares>& shares)
 {
   std::string text;
   for (std::size_t i = 0; i < shares.size(); ++i)
   {
     const Structure& structure = structures.At(static_cast<StructureRow>(i + 1));
-    const TargetState state = StateOf(structure, shares[i]);
-    if (state != TargetState::None)
+    if (StateOf(structure, shares[i]) != TargetState::None)
     {
-      const std::string target = PercentText(*structure.target);
-      text += (text.empty() ? "" : ", ") + structure.NameOrLabel() + " " +
-        PercentText(shares[i].visible) +
-        (state == TargetState::Met
-            ? " (>= " + target + ")"
-            : " of at most " + PercentText(shares[i].attainable) + " (target " + target + ")");
+      text += (text.empty() ? "" : ", ") + TextOf(structure, shares[i]);
     }
   }
   return text;

@@ -35,8 +35,13 @@ std::string NamesIn(
 /// Says that structures have lost their protection.
 extern const char* const protectionIsLost;
 
-/// Returns one line about all targets: "tumour 95.2 % (>= 95.0 %), vessels 58.0 % of at most 61.0 %
-/// (target 60.0 %)". `shares`: of all structures, in the order of their rows.
+/// Returns what is visible of a structure, and what of it could be: "tumour 95.2 % (>= 95.0 %)",
+/// "vessels 58.0 % of at most 61.0 % (target 60.0 %)", without a target "liver 18.7 % of at most
+/// 18.9 %".
+std::string TextOf(const Structure& structure, const StructureShares& shares);
+
+/// Returns one line about all targets, see TextOf. `shares`: of all structures, in the order of
+/// their rows.
 std::string TextOfTargets(const Structures& structures, const std::vector<StructureShares>& shares);
 
 /**
