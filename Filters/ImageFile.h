@@ -6,6 +6,7 @@
 #ifndef limpid_ImageFile_h
 #define limpid_ImageFile_h
 
+#include "StructureLooks.h"
 #include "VoxelFile.h"
 
 #include "vtkSmartPointer.h"
@@ -25,7 +26,7 @@ namespace limpid
 struct Segment
 {
   std::int64_t label = 0;
-  std::string name;
+  StructureLook look;
   int layer = 0; ///< which of the values of each point has its label
 };
 

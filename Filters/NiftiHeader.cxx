@@ -16,6 +16,7 @@
 #include <cstddef>
 #include <cstdlib>
 #include <map>
+#include <optional>
 
 namespace limpid
 {
@@ -186,20 +187,32 @@ Grid GridOf(const Fields& header)
   return GridOfSteps(NodesOf(header), toLeft * placement.origin, placement.steps);
 }
 
-// Returns the names in the extensions between header and values, which are a label table of XML as
-// of Connectome Workbench and TotalSegmentator: <Label Key="5" ...><![CDATA[liver]]></Label>.
-std::vector<Segment> NamesIn(const std::string& text)
+// Returns the number in an attribute of an element of XML, ' Red="0.5"'.
+std::optional<double> AttributeIn(const std::string& element, const std::string& name)
+{
+  const std::string before = " " + name + "=\"";
+  const std::size_t at = element.find(before);
+  const char* first = element.c_str() + at + before.size();
+  char* end = nullptr;
+  const double number = at == std::string::npos ? 0 : std::strtod(first, &end);
+  return end && end != first && *end == '"' ? std::optional<double>(number) : std::nullopt;
+}
+
+// Returns the segments in the extensions between header and values, which are a label table of XML
+// as of Connectome Workbench and TotalSegmentator:
+// <Label Key="5" Red="1" Green="0.5" Blue="0" Alpha="1"><![CDATA[liver]]></Label>.
+std::vector<Segment> SegmentsIn(const std::string& text)
 {
   const std::string begin = "<Label ";
   const std::string end = "</Label>";
-  const std::string key = "Key=\"";
   std::vector<Segment> segments;
   for (std::size_t at = text.find(begin); at != std::string::npos; at = text.find(begin, at + 1))
   {
     const std::size_t close = text.find('>', at);
     const std::size_t last = text.find(end, at);
-    const std::size_t number = text.find(key, at);
-    if (last == std::string::npos || close > last || number > close)
+    const std::string element = text.substr(at, std::min(close, text.size()) - at);
+    const std::optional<double> label = AttributeIn(element, "Key");
+    if (last == std::string::npos || close > last || !label)
     {
       continue;
     }
@@ -209,7 +222,14 @@ std::vector<Segment> NamesIn(const std::string& text)
     {
       name = name.substr(cdata.size(), name.size() - cdata.size() - 3);
     }
-    segments.push_back({ std::atoll(text.c_str() + number + key.size()), name, 0 });
+    constexpr double none = -1;
+    segments.push_back({ static_cast<std::int64_t>(*label),
+      { name,
+        ColorOf({ AttributeIn(element, "Red").value_or(none),
+                  AttributeIn(element, "Green").value_or(none),
+                  AttributeIn(element, "Blue").value_or(none) },
+          1) },
+      0 });
   }
   return segments;
 }
@@ -246,7 +266,7 @@ ImageFile ReadNiftiHeader(const std::string& path)
     file.slope = slope;
     file.intercept = header.Float(116, 184);
   }
-  file.segments = NamesIn(Extensions(file.voxels, header.Size()));
+  file.segments = SegmentsIn(Extensions(file.voxels, header.Size()));
   return file;
 }
 }

@@ -16,6 +16,7 @@
 #include <map>
 #include <optional>
 #include <set>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -45,6 +46,14 @@ const std::map<std::string, int>& NrrdTypes()
   return types;
 }
 
+// Returns the colour in a text "0.5 0.7 0.2"; none if it is no such text.
+std::optional<Color> ColorIn(const std::string& text)
+{
+  Color color;
+  std::istringstream numbers(text);
+  return numbers >> color[0] >> color[1] >> color[2] ? ColorOf(color, 1) : std::nullopt;
+}
+
 // Returns the segments of 3D Slicer. Without its newer keys, each has a layer of its own.
 std::vector<Segment> SegmentsOf(const TextHeader& header, bool hasLayers)
 {
@@ -55,9 +64,10 @@ std::vector<Segment> SegmentsOf(const TextHeader& header, bool hasLayers)
     const std::string label = key + "labelvalue";
     const std::string layer = key + "layer";
     const std::string name = key + "name";
-    segments.push_back(
-      { header.WholeNumber({ label.c_str() }, 1, -0x1p53), header.Text({ name.c_str() }),
-        static_cast<int>(header.WholeNumber({ layer.c_str() }, hasLayers ? number : 0, 0)) });
+    const std::string color = key + "color";
+    segments.push_back({ header.WholeNumber({ label.c_str() }, 1, -0x1p53),
+      { header.Text({ name.c_str() }), ColorIn(header.Text({ color.c_str() })) },
+      static_cast<int>(header.WholeNumber({ layer.c_str() }, hasLayers ? number : 0, 0)) });
   }
   return segments;
 }

@@ -20,7 +20,7 @@ namespace limpid
 namespace
 {
 using Fields = std::vector<std::string>;
-using Row = std::pair<std::int64_t, std::string>; // label and name
+using Row = std::pair<std::int64_t, StructureLook>; // label, name and colour
 
 const char* const blanks = " \t\r";
 
@@ -79,6 +79,17 @@ std::optional<std::int64_t> LabelIn(const std::string& field)
   return error == std::errc() && isAll ? std::optional<std::int64_t>(label) : std::nullopt;
 }
 
+// Returns the colour in three words with numbers from 0 to 255; none if they are no such numbers.
+std::optional<Color> ColorIn(const Fields& words, std::size_t first)
+{
+  Color color;
+  for (std::size_t channel = 0; channel < color.size(); ++channel)
+  {
+    color[channel] = static_cast<double>(LabelIn(words[first + channel]).value_or(-1));
+  }
+  return ColorOf(color, 255);
+}
+
 // Reads the rows of a table, line by line.
 class TableReader
 {
@@ -90,7 +101,7 @@ public:
     const Fields words = WordsOf(line);
     if (words.size() == 8 && words.back().front() == '"' && LabelIn(words[0]))
     {
-      return Row(*LabelIn(words[0]), TextOf(words.back())); // of ITK-SNAP
+      return Row(*LabelIn(words[0]), { TextOf(words.back()), ColorIn(words, 1) }); // of ITK-SNAP
     }
     const bool hasColor = words.size() >= 5 &&
       std::all_of(words.begin() + 2, words.begin() + 5,
@@ -98,7 +109,9 @@ public:
     const bool hasCommas = Split(line, ",;").size() > 1;
     if (!hasCommas && (words.size() == 2 || hasColor) && LabelIn(words[0]) && !LabelIn(words[1]))
     {
-      return Row(*LabelIn(words[0]), TextOf(words[1])); // of FreeSurfer
+      // of FreeSurfer
+      return Row(
+        *LabelIn(words[0]), { TextOf(words[1]), hasColor ? ColorIn(words, 2) : std::nullopt });
     }
     return this->ReadDelimited(line, isFirst);
   }
@@ -123,7 +136,8 @@ private:
       return std::nullopt;
     }
     const auto label = LabelIn(fields[this->LabelColumn]);
-    return label ? std::optional<Row>({ *label, TextOf(fields[this->NameColumn]) }) : std::nullopt;
+    return label ? std::optional<Row>({ *label, { TextOf(fields[this->NameColumn]), {} } })
+                 : std::nullopt;
   }
 
   void UseColumns(const Fields& header)
@@ -187,17 +201,17 @@ StructureTableFile ReadStructureTable(const std::string& path)
     }
     if (const auto row = reader.Read(line))
     {
-      table.names[row->first] = row->second;
+      table.looks[row->first] = row->second;
     }
     else if (!reader.WasHeader() && wrong++ == 0)
     {
       first << ", the first is line " << number << ", \"" << Excerpt(line) << "\"";
     }
   }
-  if (table.names.empty() || wrong > 0)
+  if (table.looks.empty() || wrong > 0)
   {
     table.warning = subject +
-      (table.names.empty() ? "has no row that can be read"
+      (table.looks.empty() ? "has no row that can be read"
                            : "has " + std::to_string(wrong) + " rows that cannot be read") +
       first.str() +
       " (a row has a label, which is a whole number, and a name). Correct it; rows that can be "

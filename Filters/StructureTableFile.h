@@ -1,21 +1,21 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Names of labels from a text file.
+// Names and colours of labels from a text file.
 
 #ifndef limpid_StructureTableFile_h
 #define limpid_StructureTableFile_h
 
-#include <cstdint>
-#include <map>
+#include "StructureLooks.h"
+
 #include <string>
 
 namespace limpid
 {
-/// The names that a file gives to labels.
+/// The names and colours that a file gives to labels.
 struct StructureTableFile
 {
-  std::map<std::int64_t, std::string> names;
+  StructureLooks looks;
   std::string warning; ///< what could not be read; empty: everything was
 };
 

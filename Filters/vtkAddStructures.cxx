@@ -11,12 +11,13 @@
 #include "Memory.h"
 #include "OwnArrays.h"
 #include "PropertyPrinter.h"
-#include "StructureNames.h"
+#include "StructureLooks.h"
 #include "StructureTableFile.h"
 #include "WholeRequest.h"
 
 #include "vtkCellData.h"
 #include "vtkDataSetAttributes.h"
+#include "vtkDoubleArray.h"
 #include "vtkIdTypeArray.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
@@ -32,10 +33,13 @@
 #include "scene/Grid.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <cstring>
 #include <exception>
+#include <limits>
 #include <map>
 #include <string>
 #include <vector>
@@ -44,7 +48,7 @@ vtkStandardNewMacro(vtkAddStructures);
 
 namespace
 {
-using Names = limpid::StructureNames;
+using Looks = limpid::StructureLooks;
 
 const limpid::MemoryNeed Need{ 2 * sizeof(std::int64_t), limpid::fewerPoints };
 
@@ -149,20 +153,44 @@ limpid::Grid GridOfLabels(vtkImageData* image)
 }
 
 // Returns the names of labels 1, 2 and so on.
-Names NamesOf(const std::vector<limpid::FieldSource>& masks)
+Looks LooksOf(const std::vector<limpid::FieldSource>& masks)
 {
-  Names names;
+  Looks looks;
   for (const limpid::FieldSource& mask : masks)
   {
-    names.emplace(static_cast<std::int64_t>(names.size() + 1), NameOfMask(mask));
+    looks[static_cast<std::int64_t>(looks.size() + 1)] = { NameOfMask(mask), {} };
   }
-  return names;
+  return looks;
 }
 
-bool NamesAny(const Names& names, const std::map<std::int64_t, vtkIdType>& labels)
+bool HasAny(const Looks& looks, const std::map<std::int64_t, vtkIdType>& labels)
 {
   return std::any_of(
-    names.begin(), names.end(), [&labels](const auto& entry) { return labels.count(entry.first); });
+    looks.begin(), looks.end(), [&labels](const auto& entry) { return labels.count(entry.first); });
+}
+
+// Adds the columns Red, Green and Blue, NaN where a label has no colour; none if no label has one.
+void AddColors(const std::map<std::int64_t, vtkIdType>& labels, const Looks& looks, vtkTable* table)
+{
+  const std::array<const char*, 3> names{ "Red", "Green", "Blue" };
+  for (std::size_t channel = 0; channel < names.size(); ++channel)
+  {
+    vtkNew<vtkDoubleArray> column;
+    column->SetName(names[channel]);
+    bool hasAny = false;
+    for (const auto& entry : labels)
+    {
+      const auto look = looks.find(entry.first);
+      const bool hasColor = look != looks.end() && look->second.color;
+      column->InsertNextValue(
+        hasColor ? (*look->second.color)[channel] : std::numeric_limits<double>::quiet_NaN());
+      hasAny = hasAny || hasColor;
+    }
+    if (hasAny)
+    {
+      table->AddColumn(column);
+    }
+  }
 }
 }
 
@@ -174,15 +202,15 @@ struct vtkAddStructures::Internals
   {
     vtkSmartPointer<vtkDataArray> values;
     bool onCells = false;
-    Names masks; // all of them, also those that are empty
-    Names names; // of labels, of which the data need not have all
+    Looks masks; // all of them, also those that are empty
+    Looks looks; // of labels, of which the data need not have all
   };
 
   static vtkImageData* RequireImage(vtkInformationVector* input, const std::string& subject);
   limpid::FieldSource ChosenArray(vtkImageData* image) const;
   Labels Read(vtkImageData* image) const;
   Labels ReadMasks(vtkImageData* image, const std::vector<limpid::FieldSource>& masks) const;
-  void AddNames(const std::map<std::int64_t, vtkIdType>& labels, Names& names) const;
+  void AddLooks(const std::map<std::int64_t, vtkIdType>& labels, Looks& looks) const;
   void Write(const Labels& labels, vtkDataArray* structure, vtkTable* table) const;
   void Run(vtkInformationVector** inputVector, vtkImageData* output, vtkTable* table) const;
 
@@ -242,7 +270,7 @@ vtkAddStructures::Internals::Labels vtkAddStructures::Internals::ReadMasks(
                                              "the last mask counts. If it should be "
                                              "another one, order the arrays accordingly.");
   }
-  return { read.labels, masks.front().onCells, NamesOf(masks), {} };
+  return { read.labels, masks.front().onCells, LooksOf(masks), {} };
 }
 
 vtkAddStructures::Internals::Labels vtkAddStructures::Internals::Read(vtkImageData* image) const
@@ -262,12 +290,12 @@ vtkAddStructures::Internals::Labels vtkAddStructures::Internals::Read(vtkImageDa
     return this->ReadMasks(image, ComponentsOf({ chosen }));
   }
   limpid::RequireOneEach(image, chosen);
-  return { limpid::WholeLabels(chosen.array), chosen.onCells, {}, limpid::StructureNamesOf(image) };
+  return { limpid::WholeLabels(chosen.array), chosen.onCells, {}, limpid::StructureLooksOf(image) };
 }
 
-// Adds the names of TableFile.
-void vtkAddStructures::Internals::AddNames(
-  const std::map<std::int64_t, vtkIdType>& labels, Names& names) const
+// Adds the names and colours of TableFile.
+void vtkAddStructures::Internals::AddLooks(
+  const std::map<std::int64_t, vtkIdType>& labels, Looks& looks) const
 {
   const std::string& path = this->Self->TableFile;
   if (path.empty())
@@ -279,16 +307,16 @@ void vtkAddStructures::Internals::AddNames(
   {
     vtkWarningWithObjectMacro(this->Self, << file.warning);
   }
-  else if (!NamesAny(file.names, labels))
+  else if (!HasAny(file.looks, labels))
   {
     vtkWarningWithObjectMacro(this->Self,
-      << "The table file \"" << path << "\" names " << file.names.size()
+      << "The table file \"" << path << "\" names " << file.looks.size()
       << " labels, and none of them is in the data (names stay empty). Give the table that belongs "
          "to these structures.");
   }
-  for (const auto& [label, name] : file.names)
+  for (const auto& [label, look] : file.looks)
   {
-    names[label] = name;
+    looks[label] = look;
   }
 }
 
@@ -301,8 +329,8 @@ void vtkAddStructures::Internals::Write(
     given.emplace(entry.first, 0);
   }
   given.erase(0);
-  Names names = labels.masks.empty() ? labels.names : labels.masks;
-  this->AddNames(given, names);
+  Looks looks = labels.masks.empty() ? labels.looks : labels.masks;
+  this->AddLooks(given, looks);
   std::map<std::int64_t, vtkIdType> points = limpid::CountLabels(structure);
   vtkNew<vtkIdTypeArray> labelColumn;
   vtkNew<vtkStringArray> nameColumn;
@@ -315,13 +343,14 @@ void vtkAddStructures::Internals::Write(
   {
     const std::int64_t label = entry.first;
     labelColumn->InsertNextValue(static_cast<vtkIdType>(label));
-    nameColumn->InsertNextValue(names[label]);
+    nameColumn->InsertNextValue(looks[label].name);
     pointColumn->InsertNextValue(points[label]);
     inside += points[label];
   }
   table->AddColumn(labelColumn);
   table->AddColumn(nameColumn);
   table->AddColumn(pointColumn);
+  AddColors(given, looks, table);
   if (inside == 0)
   {
     vtkWarningWithObjectMacro(this->Self,

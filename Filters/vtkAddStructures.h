@@ -18,10 +18,11 @@
  *   label array; int for floating-point numbers, and unsigned short for masks.
  * Output port 1: vtkTable with a row for each label but 0 of port 1, in ascending order:
  *   "Label", "Name" and "Points", the number of points that have it. Of several processes, each
- *   counts the points of its own piece.
+ *   counts the points of its own piece. If any label has a colour, also "Red", "Green" and "Blue"
+ *   [0, 1]; NaN for labels without.
  *
- * Names are those of vtkSegmentationReader, which port 1 has as field data; those of masks replace
- * them, and those of TableFile replace both.
+ * Names and colours are those of vtkSegmentationReader, which port 1 has as field data; names of
+ * masks replace them, and those of TableFile replace both.
  *
  * Readers of VTK 9.2 and ParaView 5.11 ignore the directions in NRRD and MetaImage files, and
  * directions and origins in NIfTI files; vtkSegmentationReader does not. See ImageFile for an image

@@ -6,7 +6,7 @@
 #include "ImageFile.h"
 #include "Memory.h"
 #include "PropertyPrinter.h"
-#include "StructureNames.h"
+#include "StructureLooks.h"
 
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
@@ -56,18 +56,18 @@ bool IsScaled(const limpid::ImageFile& file)
   return file.slope != 1 || file.intercept != 0;
 }
 
-// Returns the names of the labels in a layer.
-limpid::StructureNames NamesOf(const limpid::ImageFile& file, int layer)
+// Returns the names and colours of the labels in a layer.
+limpid::StructureLooks LooksOf(const limpid::ImageFile& file, int layer)
 {
-  limpid::StructureNames names;
+  limpid::StructureLooks looks;
   for (const limpid::Segment& segment : file.segments)
   {
     if (segment.layer == layer)
     {
-      names[segment.label] = segment.name;
+      looks[segment.label] = segment.look;
     }
   }
-  return names;
+  return looks;
 }
 
 // Returns the names of the segments in other layers, for a message.
@@ -78,8 +78,8 @@ std::string NamesElsewhere(const limpid::ImageFile& file, int layer)
   {
     if (segment.layer != layer)
     {
-      names +=
-        (names.empty() ? "" : ", ") + segment.name + " (" + std::to_string(segment.layer) + ")";
+      names += (names.empty() ? "" : ", ") + segment.look.name + " (" +
+        std::to_string(segment.layer) + ")";
     }
   }
   return names;
@@ -155,7 +155,7 @@ int vtkSegmentationReader::RequestData(
       output->GetPointData()->SetScalars(
         limpid::ReadValues(file, this->Layer, limpid::AxisOrder(file.grid)));
       output->Crop(info->Get(Pipeline::UPDATE_EXTENT()));
-      limpid::SetStructureNames(NamesOf(file, this->Layer), output);
+      limpid::SetStructureLooks(LooksOf(file, this->Layer), output);
       const std::string others = NamesElsewhere(file, this->Layer);
       if (!others.empty())
       {

@@ -15,9 +15,10 @@
  *   name no space are kept. Axes are exchanged and reversed so that those of the image go along
  *   those of the world as far as they can: displays of ParaView 5.11 ignore the direction matrix,
  *   which is that of unity unless the image is oblique.
- *   If the file names its labels, its field data have them: "StructureLabels" and "StructureNames".
- *   Files of 3D Slicer and NIfTI files with a label table (of TotalSegmentator or Connectome
- *   Workbench) do.
+ *   If the file names its labels, its field data have them: "StructureLabels", "StructureNames"
+ * and, if the file has colours, "StructureColors" (red, green and blue [0, 1]; NaN for labels
+ * without). Files of 3D Slicer and NIfTI files with a label table (of TotalSegmentator or
+ * Connectome Workbench) do.
  *
  * Of NIfTI files, the sform is used, or else the qform; also the qform if the sform is sheared.
  *

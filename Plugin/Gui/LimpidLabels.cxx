@@ -21,12 +21,12 @@ namespace
 const int MOST_LABELS = 4096;
 const double WIDEST = 65536; // range of labels
 
-using Names = std::map<std::int64_t, QString>;
+using Looks = limpid::StructureLooks;
 
-// Returns the names in the table of structures of a source, see vtkAddStructures.
-Names NamesOfTable(vtkSMSourceProxy* source)
+// Returns what the table of structures of a source says, see vtkAddStructures.
+Looks LooksOfTable(vtkSMSourceProxy* source)
 {
-  Names names;
+  Looks looks;
   for (unsigned int port = 0; port < source->GetNumberOfOutputPorts(); ++port)
   {
     const char* name = source->GetOutputPortName(port);
@@ -37,42 +37,59 @@ Names NamesOfTable(vtkSMSourceProxy* source)
     const auto data = BringToClient(source, port, VTK_TABLE, std::nullopt);
     auto* table = vtkTable::SafeDownCast(data);
     const bool isKnown = table && table->GetColumnByName("Label") && table->GetColumnByName("Name");
+    const bool hasColors = isKnown && table->GetColumnByName("Red") &&
+      table->GetColumnByName("Green") && table->GetColumnByName("Blue");
     for (vtkIdType row = 0; isKnown && row < table->GetNumberOfRows(); ++row)
     {
-      names[table->GetValueByName(row, "Label").ToTypeInt64()] =
-        QString::fromStdString(table->GetValueByName(row, "Name").ToString());
+      const auto number = [&](const char* column)
+      { return table->GetValueByName(row, column).ToDouble(); };
+      limpid::StructureLook& look = looks[table->GetValueByName(row, "Label").ToTypeInt64()];
+      look.name = table->GetValueByName(row, "Name").ToString();
+      look.color = hasColors
+        ? limpid::ColorOf({ number("Red"), number("Green"), number("Blue") }, 1)
+        : std::nullopt;
     }
   }
-  return names;
+  return looks;
 }
 
-// Returns the names of values in the color map of an array.
-Names NamesOfColors(vtkSMSessionProxyManager* proxies, const std::string& array)
+// Returns the names of values in the color map of an array, and the colours of categories.
+Looks LooksOfColors(vtkSMSessionProxyManager* proxies, const std::string& array)
 {
-  Names names;
+  Looks looks;
   const QString wanted = QString::fromStdString(array) + ".PVLookupTable";
   for (unsigned int i = 0; i < proxies->GetNumberOfProxies("lookup_tables"); ++i)
   {
     const char* name = proxies->GetProxyName("lookup_tables", i);
-    vtkSMProxy* colors =
+    vtkSMProxy* map =
       name && QString(name).endsWith(wanted) ? proxies->GetProxy("lookup_tables", name) : nullptr;
-    if (!colors)
+    if (!map)
     {
       continue;
     }
-    const vtkSMPropertyHelper annotations(colors, "Annotations");
+    const vtkSMPropertyHelper annotations(map, "Annotations");
+    const vtkSMPropertyHelper colors(map, "IndexedColors");
+    const bool isCategorical = vtkSMPropertyHelper(map, "IndexedLookup").GetAsInt() != 0;
     for (unsigned int j = 0; j + 1 < annotations.GetNumberOfElements(); j += 2)
     {
       bool isNumber = false;
       const double value = QString(annotations.GetAsString(j)).toDouble(&isNumber);
-      const QString text(annotations.GetAsString(j + 1));
-      if (isNumber && value == std::floor(value) && !text.isEmpty())
+      const std::string text = annotations.GetAsString(j + 1);
+      if (isNumber && value == std::floor(value) && !text.empty())
       {
-        names[static_cast<std::int64_t>(value)] = text;
+        limpid::StructureLook& look = looks[static_cast<std::int64_t>(value)];
+        look.name = text;
+        const unsigned int first = 3 * (j / 2);
+        if (isCategorical && first + 2 < colors.GetNumberOfElements())
+        {
+          look.color = limpid::ColorOf({ colors.GetAsDouble(first), colors.GetAsDouble(first + 1),
+                                         colors.GetAsDouble(first + 2) },
+            1);
+        }
       }
     }
   }
-  return names;
+  return looks;
 }
 
 QString Say(const char* text)
@@ -106,26 +123,27 @@ LimpidLabels LabelsOf(vtkSMProxy* proxy)
   const double first = std::floor(range[0]);
   const int bins = static_cast<int>(std::floor(range[1]) - first) + 1;
   const auto counts = array.Histogram({ first - 0.5, first + bins - 0.5 }, bins);
-  Names given = NamesOfTable(array.Source);
+  Looks given = LooksOfTable(array.Source);
   if (given.empty())
   {
-    given = NamesOfColors(proxy->GetSessionProxyManager(), array.Name);
+    given = LooksOfColors(proxy->GetSessionProxyManager(), array.Name);
   }
   for (vtkIdType bin = 0; counts && bin < counts->GetNumberOfRows(); ++bin)
   {
     const auto label = static_cast<std::int64_t>(first) + bin;
     if (label != 0 && counts->GetValue(bin, 1).ToDouble() > 0)
     {
-      const auto found = given.find(label);
-      labels.Names[label] = found != given.end() ? found->second : Say("label %1").arg(label);
+      limpid::StructureLook& look = given[label];
+      look.name = look.name.empty() ? Say("label %1").arg(label).toStdString() : look.name;
+      labels.Looks[label] = look;
     }
   }
-  if (labels.Names.empty() || labels.Names.size() > MOST_LABELS)
+  if (labels.Looks.empty() || labels.Looks.size() > MOST_LABELS)
   {
     labels.Problem = Say("\"%1\" has %2 labels other than 0. Choose an array of labels.")
                        .arg(name)
-                       .arg(labels.Names.size());
-    labels.Names.clear();
+                       .arg(labels.Looks.size());
+    labels.Looks.clear();
   }
   return labels;
 }

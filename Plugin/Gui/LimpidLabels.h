@@ -2,29 +2,28 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Finds the labels of a structure array, and their names, on the client.
+ * Finds the labels of a structure array, their names and colours, on the client.
  */
 
 #ifndef LimpidLabels_h
 #define LimpidLabels_h
 
-#include <QString>
+#include "StructureLooks.h"
 
-#include <cstdint>
-#include <map>
+#include <QString>
 
 class vtkSMProxy;
 
 /// The labels in data.
 struct LimpidLabels
 {
-  std::map<std::int64_t, QString> Names; ///< all labels but 0, with their names
-  QString Problem;                       ///< why there are none; empty: there are some
+  limpid::StructureLooks Looks; ///< all labels but 0, with their names and colours
+  QString Problem;              ///< why there are none; empty: there are some
 };
 
-/// Returns the labels of the property StructureArray of a display or a filter. Their names are
-/// those of the table "Structures" that the source has as another output, or else the annotations
-/// of the array's color map; without either, "label 5".
+/// Returns the labels of the property StructureArray of a display or a filter. Their names and
+/// colours are those of the table "Structures" that the source has as another output, or else the
+/// annotations of the array's color map; without either, a name is "label 5".
 LimpidLabels LabelsOf(vtkSMProxy* proxy);
 
 #endif

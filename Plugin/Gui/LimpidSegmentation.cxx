@@ -38,6 +38,7 @@
 
 #include <set>
 #include <string>
+#include <vector>
 
 namespace
 {
@@ -119,14 +120,23 @@ void SetStructures(vtkSMProxy* display)
   SM_SCOPED_TRACE(PropertiesModified).arg("proxy", display);
   vtkSMPropertyHelper(display, "StructureArray")
     .SetInputArrayToProcess(vtkDataObject::POINT, "Structure");
-  vtkSMPropertyHelper rows(display, "Structures");
+  LimpidStructureModel rows(nullptr);
+  rows.add(LabelsOf(display).Looks, /*important=*/false);
+  vtkSMPropertyHelper texts(display, "Structures");
   unsigned int text = 0;
-  for (const auto& [label, name] : LabelsOf(display).Names)
+  for (const QVariant& value : rows.texts())
   {
-    for (const QString& value : { QString::number(label), name, QString("0"), QString() })
-    {
-      rows.Set(text++, value.toUtf8().data());
-    }
+    texts.Set(text++, value.toString().toUtf8().data());
+  }
+  std::vector<double> colors; // all at once: the panel takes whole rows only
+  for (const QVariant& value : rows.colors())
+  {
+    colors.push_back(value.toDouble());
+  }
+  if (!colors.empty())
+  {
+    vtkSMPropertyHelper(display, "LabelColors")
+      .Set(colors.data(), static_cast<unsigned int>(colors.size()));
   }
   display->UpdateVTKObjects();
 }

@@ -148,15 +148,20 @@ void LimpidStructureModel::paint(const std::vector<int>& rows, const QColor& col
 {
   for (const int row : rows)
   {
-    const double label = this->value(row, LABEL).toDouble();
-    auto given = Find(this->GivenColors, label);
-    if (given == this->GivenColors.end())
-    {
-      given = this->GivenColors.insert(given, LabelColor());
-    }
-    *given = { { label, color.red() / 255., color.green() / 255., color.blue() / 255. } };
+    this->paint(this->value(row, LABEL).toDouble(),
+      { color.red() / 255., color.green() / 255., color.blue() / 255. });
   }
   this->tellOfAll();
+}
+
+void LimpidStructureModel::paint(double label, const limpid::Color& color)
+{
+  auto given = Find(this->GivenColors, label);
+  if (given == this->GivenColors.end())
+  {
+    given = this->GivenColors.insert(given, LabelColor());
+  }
+  *given = { { label, color[0], color[1], color[2] } };
 }
 
 void LimpidStructureModel::setShares(const std::vector<double>& shares)
@@ -173,31 +178,40 @@ QString LimpidStructureModel::freeName(const QString& wanted, const QString& lab
   return isTaken ? wanted + " " + label : wanted;
 }
 
-void LimpidStructureModel::add(const Names& names)
+void LimpidStructureModel::add(const limpid::StructureLooks& looks, bool important)
 {
   this->beginResetModel();
-  for (const auto& given : names)
+  for (const auto& given : looks)
   {
     const QString label = QString::number(given.first);
     const bool isThere = std::any_of(this->Rows.begin(), this->Rows.end(),
       [&](const Row& row) { return row[LABEL_TEXT].toLongLong() == given.first; });
     if (!isThere)
     {
-      this->Rows.push_back({ { label, this->freeName(given.second, label), "1", "" } });
+      const QString name = QString::fromStdString(given.second.name);
+      this->Rows.push_back({ { label, this->freeName(name, label), important ? "1" : "0", "" } });
+      if (given.second.color)
+      {
+        this->paint(static_cast<double>(given.first), *given.second.color);
+      }
     }
   }
   this->Shares.clear();
   this->endResetModel();
 }
 
-void LimpidStructureModel::rename(const Names& names)
+void LimpidStructureModel::rename(const limpid::StructureLooks& looks)
 {
   for (Row& row : this->Rows)
   {
-    const auto name = names.find(row[LABEL_TEXT].toLongLong());
-    if (name != names.end())
+    const auto look = looks.find(row[LABEL_TEXT].toLongLong());
+    if (look != looks.end())
     {
-      row[NAME_TEXT] = this->freeName(name->second, row[LABEL_TEXT]);
+      row[NAME_TEXT] = this->freeName(QString::fromStdString(look->second.name), row[LABEL_TEXT]);
+      if (look->second.color)
+      {
+        this->paint(static_cast<double>(look->first), *look->second.color);
+      }
     }
   }
   this->tellOfAll();

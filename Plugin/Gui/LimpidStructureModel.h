@@ -13,6 +13,8 @@
 #ifndef LimpidStructureModel_h
 #define LimpidStructureModel_h
 
+#include "StructureLooks.h"
+
 #include <QAbstractTableModel>
 #include <QColor>
 #include <QHash>
@@ -20,8 +22,6 @@
 #include <QVariant>
 
 #include <array>
-#include <cstdint>
-#include <map>
 #include <vector>
 
 class LimpidStructureModel : public QAbstractTableModel
@@ -43,8 +43,6 @@ public:
 
   /// Data by which rows are sorted.
   static constexpr int SORT_ROLE = Qt::UserRole;
-
-  using Names = std::map<std::int64_t, QString>; ///< by label
 
   explicit LimpidStructureModel(QObject* parent);
 
@@ -74,11 +72,11 @@ public:
   /// for all rows.
   void setShares(const std::vector<double>& shares);
 
-  /// Adds important structures for labels that have no row.
-  void add(const Names& names);
+  /// Adds structures for labels that have no row, with names and colours.
+  void add(const limpid::StructureLooks& looks, bool important);
 
-  /// Gives names to the rows of labels.
-  void rename(const Names& names);
+  /// Gives names and colours to the rows of labels.
+  void rename(const limpid::StructureLooks& looks);
 
   bool isAnyImportant() const;
 
@@ -112,6 +110,7 @@ private:
 
   using LabelColor = std::array<double, 4>; // label, red, green and blue
 
+  void paint(double label, const limpid::Color& color);
   static bool isImportant(const Row& row) { return row[IMPORTANCE_TEXT].toDouble() > 0; }
   QString lastImportance(const Row& row) const;
   void setImportance(Row& row, const QString& importance);

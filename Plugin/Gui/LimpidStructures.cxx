@@ -239,6 +239,16 @@ void LimpidStructures::change()
   Q_EMIT this->structuresChanged();
 }
 
+// Sets the properties, of which names and colours may have changed.
+void LimpidStructures::changeLooks(const QVariantList& formerColors)
+{
+  this->change();
+  if (this->colors() != formerColors)
+  {
+    Q_EMIT this->colorsChanged();
+  }
+}
+
 // Returns the numbers of the selected rows in the model.
 std::vector<int> LimpidStructures::selectedRows() const
 {
@@ -358,8 +368,9 @@ void LimpidStructures::fillFromData()
     this->setHint(labels.Problem);
     return;
   }
-  this->Model->add(labels.Names);
-  this->change();
+  const QVariantList former = this->colors();
+  this->Model->add(labels.Looks, true);
+  this->changeLooks(former);
 }
 
 void LimpidStructures::loadNames()
@@ -372,19 +383,15 @@ void LimpidStructures::loadNames()
   }
   try
   {
-    const limpid::StructureTableFile file = limpid::ReadStructureTable(path.toStdString());
-    LimpidStructureModel::Names names;
-    for (const auto& [label, name] : file.names)
-    {
-      names[label] = QString::fromStdString(name);
-    }
+    limpid::StructureTableFile file = limpid::ReadStructureTable(path.toStdString());
+    const QVariantList former = this->colors();
     if (this->Model->rowCount() == 0)
     {
-      names.erase(0); // the background
-      this->Model->add(names);
+      file.looks.erase(0); // the background
+      this->Model->add(file.looks, true);
     }
-    this->Model->rename(names);
-    this->change();
+    this->Model->rename(file.looks);
+    this->changeLooks(former);
     this->setHint(QString::fromStdString(file.warning));
   }
   catch (const std::exception& error)

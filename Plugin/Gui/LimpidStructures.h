@@ -68,6 +68,7 @@ private:
   QPushButton* newButton(const char* name, const QString& text, const QString& toolTip);
   void setAllImportant(bool important);
   void change();
+  void changeLooks(const QVariantList& formerColors);
   void setHint(const QString& text);
   vtkRenderWindowInteractor* interactor() const;
 

@@ -9,7 +9,7 @@ import re
 
 import numpy as np
 import story
-from image_files import in_order, segments, write_nifti, write_nrrd
+from image_files import color_of, in_order, segments, write_nifti, write_nrrd
 from paraview import simple, smtrace
 from paraview.vtk.util.numpy_support import vtk_to_numpy
 from story import expect
@@ -86,6 +86,8 @@ def tell():
     expect(structures(display)[1::4] == [NAMES[int(label)] for label in structures(display)[::4]] and
            structures(display)[2::4] == ["0"] * (len(structures(display)) // 4),
            f"structures have their names, none is important: {structures(display)}")
+    expect(np.allclose(np.reshape(list(display.LabelColors), (-1, 4)),
+                       [(label, *color_of(label)) for label in NAMES]), "and their colors")
     expect(display.Representation == "Optimized Volume", "it is an optimized volume")
     expect(display.ColorArrayName[1] == "Values", "colored by the image")
     expect(simple.GetDisplayProperties(ct, view).Visibility == 0, "instead of the image")

@@ -360,6 +360,20 @@ class TestTableFiles(StructureTest):
             "3   Left-Cerebral-Cortex  205 62 78 0\n1034\t3rd-Ventricle\t25 10 0 0\n65535 plain\n"),
             ["Left-Cerebral-Cortex", "3rd-Ventricle", "plain"])
 
+    def colors(self, text):
+        table = self.run_with(text).GetStructureTable()
+        return np.transpose([vtk_to_numpy(table.GetColumnByName(name))
+                             for name in ("Red", "Green", "Blue")])
+
+    def test_give_colors(self):
+        none = [np.nan] * 3
+        np.testing.assert_allclose(
+            self.colors("3 a 255 51 0 0\n1034 b 0 0 256 0\n65535 plain\n"), [[1, 0.2, 0], none, none])
+        np.testing.assert_allclose(
+            self.colors('3 0 0 255 1 1 1 "a"\n1034 0 255 0 0.5 1 1 "b"\n'),
+            [[0, 0, 1], [0, 1, 0], none])
+        self.assertIsNone(self.run_with("3,a\n").GetStructureTable().GetColumnByName("Red"))
+
     def test_of_itk_snap_give_names(self):
         self.assertEqual(self.names(
             '# ITK-SnAP Label Description File\n    0     0    0    0        0  0  0    "Clear Label"\n'

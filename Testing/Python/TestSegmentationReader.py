@@ -9,11 +9,13 @@ import tempfile
 import unittest
 
 import numpy as np
+from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkIOXML import vtkXMLImageDataReader
 
 from limpid.vtkLimpidFilters import vtkAddStructures, vtkSegmentationReader
 
-from image_files import (bytes_of, in_order, segments, write_meta, write_nifti, write_nifti2, write_nrrd)
+from image_files import (bytes_of, color_of, in_order, segments, write_meta, write_nifti,
+                         write_nifti2, write_nrrd)
 from images import FilterTest, catching, image_of, values
 
 SHAPE = (5, 4, 3)
@@ -198,7 +200,22 @@ class TestNames(ReaderTest):
                    more=segments((3, "tumour, left", 0), (1, "liver", 0)))
         write_nifti(self.path("a.nii.gz"), labels, TO_LEFT @ OBLIQUE, names=expected)
         for name in ("a.seg.nrrd", "a.nii.gz"):
-            self.assertEqual(self.names(self.expect(name, labels, OBLIQUE)), expected)
+            image = self.expect(name, labels, OBLIQUE)
+            self.assertEqual(self.names(image), expected)
+            np.testing.assert_array_equal(
+                vtk_to_numpy(image.GetFieldData().GetArray("StructureColors")),
+                [color_of(label) for label in (1, 3)])
+
+    def test_without_a_color_that_can_be_read(self):
+        labels = (counted("uint8") % 3).astype("uint8")
+        more = segments((1, "liver", 0), (2, "spleen", 0))
+        for color in ("red", "0.5 2 0.25", "0.5 0.1"):
+            write_nrrd(self.path("a.seg.nrrd"), labels, OBLIQUE,
+                       more=more.replace("0.5 0.125 0.25", color))
+            image = self.expect("a.seg.nrrd", labels, OBLIQUE)
+            colors = vtk_to_numpy(image.GetFieldData().GetArray("StructureColors"))
+            self.assertTrue(np.isnan(colors[0]).all(), color)
+            np.testing.assert_array_equal(colors[1], color_of(2))
 
     def test_are_left_out_where_there_are_none(self):
         write_nrrd(self.path("a.nrrd"), counted(), OBLIQUE)

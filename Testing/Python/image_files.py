@@ -48,7 +48,8 @@ def write_nifti(path, values, matrix, order="<", scale=(1, 0), quaternion=None, 
     spacings and its origin. `fields`: others as (place, format, value)."""
     matrix = np.asarray(matrix, float)
     spacing = np.linalg.norm(matrix[:, :3], axis=0)
-    table = "".join(f'<Label Key="{key}" Red="0"><![CDATA[{name}]]></Label>\n'
+    table = "".join('<Label Key="{0}" Red="{2}" Green="{3}" Blue="{4}" Alpha="1"><![CDATA[{1}]]>'
+                    "</Label>\n".format(key, name, *color_of(key))
                     for key, name in (names or {}).items()).encode()
     extension = b""
     if table:
@@ -112,11 +113,17 @@ def write_nrrd(path, values, matrix, encoding="gzip", space="left-posterior-supe
     write(path, ("\n".join(lines) + "\n" + more + "\n").encode() + (b"" if data_file else data))
 
 
+def color_of(label):
+    """The colour that files give to a label."""
+    return 0.5, 0.125 * (label % 9), 0.25
+
+
 def segments(*rows):
     """Keys of 3D Slicer for (label, name, layer)."""
     return "".join(f"Segment{i}_ID:=Segment_{i}\nSegment{i}_LabelValue:={label}\n"
                    f"Segment{i}_Layer:={layer}\nSegment{i}_Name:={name}\n"
-                   f"Segment{i}_Color:=0.5 0.7 0.2\n" for i, (label, name, layer) in enumerate(rows))
+                   "Segment{}_Color:={} {} {}\n".format(i, *color_of(label))
+                   for i, (label, name, layer) in enumerate(rows))
 
 
 def write_meta(path, values, matrix, compressed=True, data_file=None, more=""):
