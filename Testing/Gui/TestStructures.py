@@ -52,7 +52,10 @@ def tell():
     display = simple.Show(source, view)
     display.SetRepresentationType("Optimized Volume")
     simple.ColorBy(display, ("POINTS", "Scalars"))
-    simple.GetColorTransferFunction("Labels").Annotations = ["1", "rim", "3", "core"]
+    colors = simple.GetColorTransferFunction("Labels")
+    colors.InterpretValuesAsCategories = 1
+    colors.Annotations = ["1", "rim", "3", "core"]
+    colors.IndexedColors = [0.5, 0.25, 0, 0, 0.25, 1]
     simple.SetActiveSource(source)
     simple.ResetCamera(view)
     display.StructureArray = ["POINTS", "Labels"]
@@ -67,6 +70,8 @@ def tell():
     # From here to "switched on" nothing that ParaView could undo may be done by Python.
     expect_column(display, 0, ["1", "2", "3"], "the labels in the data")
     expect_column(display, 1, ["rim", "label 2", "core"], "their names")
+    given = [1, 0.5, 0.25, 0, 3, 0, 0.25, 1]
+    expect(list(display.LabelColors) == given, f"their colors: {list(display.LabelColors)}")
     expect_column(display, 2, ["1", "1", "1"], "are important")
     expect(frames.settle(3 * story.PATIENCE, 2), "rendering ends")
     before = list(display.StructureShares)
@@ -80,11 +85,11 @@ def tell():
     yield
     expect_column(display, 2, ["0.4", "0.4", "1"], "redone in one step")
     yield
-    expect(list(display.LabelColors) == [1, 1, 0.4, 0, 2, 1, 0.4, 0],
+    expect(list(display.LabelColors) == [1, 1, 0.4, 0, 3, 0, 0.25, 1, 2, 1, 0.4, 0],
            f"both get the color that is chosen for one: {list(display.LabelColors)}")
     story.screenshot("painted.png")
     yield
-    expect(len(list(display.LabelColors)) == 0, "undone in one step")
+    expect(list(display.LabelColors) == given, "undone in one step")
     yield
     expect_column(display, 2, ["0", "0", "0"], "none is important")
     yield
@@ -113,7 +118,8 @@ def tell():
     traced = smtrace.stop_trace().replace("\n", " ")
     expect("['1', 'rim', '0.4', '', '2', 'label 2', '0.6', ''" in " ".join(traced.split()),
            "the trace has the table")
-    expect(".LabelColors = [1.0, 1.0, 0.4, 0.0, 2.0, 1.0, 0.4, 0.0]" in " ".join(traced.split()),
+    expect(".LabelColors = [1.0, 1.0, 0.4, 0.0, 3.0, 0.0, 0.25, 1.0, 2.0, 1.0, 0.4, 0.0]"
+           in " ".join(traced.split()),
            "and the colors")
     yield
     search = simple.GetActiveSource()
