@@ -10,6 +10,7 @@
 
 #include "energy/LedgerRays.h"
 #include "energy/LedgerSums.h"
+#include "energy/StructureCells.h"
 #include "energy/StructuresHere.h"
 #include "sweep/RowSampler.h"
 
@@ -279,23 +280,11 @@ private:
     const Range<int> read = Hull(cellsOf(lines[columns.begin], front, back, nodesU),
       cellsOf(lines[columns.end - 1], front, back, nodesU));
     this->FindCells(rowsOfCells, read);
-    const float* inCell = this->InCell;
-    float* in = this->In;
-    float* important = this->Important;
-    RunMultiversioned(
-      [=]() LIMPID_INLINE_LAMBDA
-      {
-        LIMPID_IVDEP
-        for (int i = columns.begin; i < columns.end; ++i)
-        {
-          const RayLine line = lines[i];
-          const float first = inCell[NodesAt(line.At(front), nodesU).first];
-          const float last = inCell[NodesAt(line.At(back), nodesU).first]; // at most one cell on
-          const float number = first == last ? first : LedgerRays::several;
-          in[i] = number;
-          important[i] = number < 0.0f ? 1.0f : number;
-        }
-      });
+    FindStructures(lines, columns, { front, back }, this->InCell, nodesU, this->In);
+    for (int i = columns.begin; i < columns.end; ++i)
+    {
+      this->Important[i] = this->In[i] < 0.0f ? 1.0f : this->In[i];
+    }
   }
 
   /// Finds the structure of the nodes of each cell, LedgerRays::several if they differ.
@@ -304,36 +293,16 @@ private:
     const int* slices = this->Frustum.SliceAt(this->S).nodes;
     const SliceWindow& window = *this->Sweep.fields.rows;
     const float* first = window.Row(slices[0], rows.begin);
-    float* differs = this->Differs;
-    float* inCell = this->InCell;
-    std::fill(differs + read.begin, differs + read.end + 1, 0.0f);
+    std::fill(this->Differs + read.begin, this->Differs + read.end + 1, 0.0f);
     for (int slice = 0; slice < 2; ++slice)
     {
       for (int v = rows.begin; v <= rows.end; ++v)
       {
-        const float* other = window.Row(slices[slice], v);
-        RunMultiversioned(
-          [=]() LIMPID_INLINE_LAMBDA
-          {
-            LIMPID_IVDEP
-            for (int u = read.begin; u <= read.end; ++u)
-            {
-              differs[u] = other[u] != first[u] ? 1.0f : differs[u];
-            }
-          });
+        MarkDifferences(
+          window.Row(slices[slice], v), first, { read.begin, read.end + 1 }, this->Differs);
       }
     }
-    RunMultiversioned(
-      [=]() LIMPID_INLINE_LAMBDA
-      {
-        LIMPID_IVDEP
-        for (int u = read.begin; u < read.end; ++u)
-        {
-          const float either = differs[u] + differs[u + 1];
-          const bool isOne = first[u] == first[u + 1] && either == 0.0f;
-          inCell[u] = isOne ? first[u] : LedgerRays::several;
-        }
-      });
+    FindStructuresOfCells(first, this->Differs, read, this->InCell);
   }
 
   float* Free;
