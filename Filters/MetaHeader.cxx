@@ -29,6 +29,13 @@ const std::map<std::string, int>& MetaTypes()
     { "met_double", VTK_DOUBLE } };
   return types;
 }
+
+// Returns whether a field says yes: "True", "T" or "1".
+bool IsTrue(const TextHeader& header, TextHeader::Names names)
+{
+  const std::string text = header.Lower(names);
+  return !text.empty() && (text.front() == 't' || text.front() == '1');
+}
 }
 
 ImageFile ReadMetaHeader(const std::string& path)
@@ -54,11 +61,13 @@ ImageFile ReadMetaHeader(const std::string& path)
   }
   file.grid = GridOfSteps(NodesOf(sizes, 0), Vec3(origin[0], origin[1], origin[2]), steps);
   file.type = TypeOf(MetaTypes(), header.Lower({ "elementtype" }));
-  file.voxels.isCompressed = header.Lower({ "compresseddata" }) == "true";
-  file.voxels.isBigEndian =
-    header.Lower({ "binarydatabyteordermsb", "elementbyteordermsb" }) == "true";
+  LIMPID_REQUIRE(!header.Has("binarydata") || IsTrue(header, { "binarydata" }),
+    "Its values are written as text (only binary ones are read). Write it with BinaryData = True.");
+  file.voxels.isCompressed = IsTrue(header, { "compresseddata" });
+  file.voxels.isBigEndian = IsTrue(header, { "binarydatabyteordermsb", "elementbyteordermsb" });
   const std::string dataFile = header.Text({ "elementdatafile" });
-  SetVoxels(path, dataFile == "LOCAL" ? "" : dataFile, header.Length(), file.voxels);
+  SetVoxels(path, header.Lower({ "elementdatafile" }) == "local" ? "" : dataFile, header.Length(),
+    file.voxels);
   const std::int64_t skip = header.WholeNumber({ "headersize" }, 0, VoxelFile::atEnd);
   file.voxels.offset = skip != 0 ? skip : file.voxels.offset;
   return file;

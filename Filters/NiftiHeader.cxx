@@ -7,6 +7,8 @@
 
 #include "vtkType.h"
 
+#include <vtksys/SystemTools.hxx>
+
 #include "math/Require.h"
 #include "scene/ImageGrid.h"
 
@@ -198,6 +200,18 @@ std::optional<double> AttributeIn(const std::string& element, const std::string&
   return end && end != first && *end == '"' ? std::optional<double>(number) : std::nullopt;
 }
 
+// Returns the text of an element of XML.
+std::string PlainText(std::string text)
+{
+  const std::array<std::array<const char*, 2>, 5> entities{ { { "&lt;", "<" }, { "&gt;", ">" },
+    { "&quot;", "\"" }, { "&apos;", "'" }, { "&amp;", "&" } } };
+  for (const auto& [entity, letter] : entities)
+  {
+    vtksys::SystemTools::ReplaceString(text, entity, letter);
+  }
+  return text;
+}
+
 // Returns the segments in the extensions between header and values, which are a label table of XML
 // as of Connectome Workbench and TotalSegmentator:
 // <Label Key="5" Red="1" Green="0.5" Blue="0" Alpha="1"><![CDATA[liver]]></Label>.
@@ -212,7 +226,7 @@ std::vector<Segment> SegmentsIn(const std::string& text)
     const std::size_t last = text.find(end, at);
     const std::string element = text.substr(at, std::min(close, text.size()) - at);
     const std::optional<double> label = AttributeIn(element, "Key");
-    if (last == std::string::npos || close > last || !label)
+    if (last == std::string::npos || close > last || !label || !(std::abs(*label) < 0x1p53))
     {
       continue;
     }
@@ -221,6 +235,10 @@ std::vector<Segment> SegmentsIn(const std::string& text)
     if (name.compare(0, cdata.size(), cdata) == 0 && name.size() >= cdata.size() + 3)
     {
       name = name.substr(cdata.size(), name.size() - cdata.size() - 3);
+    }
+    else
+    {
+      name = PlainText(name);
     }
     constexpr double none = -1;
     segments.push_back({ static_cast<std::int64_t>(*label),
@@ -254,7 +272,8 @@ ImageFile ReadNiftiHeader(const std::string& path)
   const Fields header(file.voxels);
   file.grid = GridOf(header);
   file.type = TypeOf(static_cast<int>(header.Number<std::int16_t, std::int16_t>(70, 12)));
-  const double offset = header.Number<float, std::int64_t>(108, 168);
+  const double given = header.Number<float, std::int64_t>(108, 168);
+  const double offset = given == 0 ? double(header.Size() + 4) : given; // behind the extender
   LIMPID_REQUIRE(offset >= header.Size() && offset < 0x1p40,
     "Its values begin at byte " << offset << " (they follow its header of " << header.Size()
                                 << " bytes). Write the file again; two files, .hdr and .img, are "
@@ -264,7 +283,8 @@ ImageFile ReadNiftiHeader(const std::string& path)
   if (slope != 0 && std::isfinite(slope))
   {
     file.slope = slope;
-    file.intercept = header.Float(116, 184);
+    const double intercept = header.Float(116, 184);
+    file.intercept = std::isfinite(intercept) ? intercept : 0;
   }
   file.segments = SegmentsIn(Extensions(file.voxels, header.Size()));
   return file;

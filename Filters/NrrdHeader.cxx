@@ -58,9 +58,14 @@ std::optional<Color> ColorIn(const std::string& text)
 std::vector<Segment> SegmentsOf(const TextHeader& header, bool hasLayers)
 {
   std::vector<Segment> segments;
-  for (int number = 0; header.Has("segment" + std::to_string(number) + "_name"); ++number)
+  const auto most = static_cast<int>(header.Count()); // numbers may have gaps
+  for (int number = 0; number < most; ++number)
   {
     const std::string key = "segment" + std::to_string(number) + "_";
+    if (!header.Has(key + "name"))
+    {
+      continue;
+    }
     const std::string label = key + "labelvalue";
     const std::string layer = key + "layer";
     const std::string name = key + "name";

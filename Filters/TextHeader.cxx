@@ -31,10 +31,10 @@ TextHeader::TextHeader(const std::string& path, char delimiter, const std::strin
 {
   vtksys::ifstream stream(path.c_str(), std::ios::in | std::ios::binary);
   std::string line;
-  while (!this->Has(last) && std::getline(stream, line) && !Trimmed(line).empty())
+  while (!this->Has(last) && std::getline(stream, line) && !(last.empty() && Trimmed(line).empty()))
   {
     const std::size_t at = line.find(delimiter);
-    if (line.front() != '#' && at != std::string::npos)
+    if (line.compare(0, 1, "#") != 0 && at != std::string::npos)
     {
       const std::size_t value = at + (line.compare(at, 2, ":=") == 0 ? 2 : 1);
       this->Fields[vtksys::SystemTools::LowerCase(Trimmed(line.substr(0, at)))] =

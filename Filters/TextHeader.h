@@ -25,11 +25,15 @@ class TextHeader
 public:
   using Names = std::initializer_list<const char*>;
 
-  /// Reads lines "name DELIMITER value" up to an empty one, or up to the field `last`.
+  /// Reads lines "name DELIMITER value" up to the field `last`, or up to an empty one if that is
+  /// "".
   TextHeader(const std::string& path, char delimiter, const std::string& last);
 
   /// Returns whether there is a field. Names are in lower case.
   bool Has(const std::string& name) const { return this->Fields.count(name) != 0; }
+
+  /// Returns the number of fields.
+  std::size_t Count() const { return this->Fields.size(); }
 
   /// Returns a field; empty: there is none.
   std::string Text(Names names) const;

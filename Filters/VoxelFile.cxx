@@ -75,7 +75,10 @@ public:
                                                       "or write the file again.");
       if (outcome == Z_STREAM_END)
       {
-        inflateReset(&this->State); // another part may follow
+        inflateReset(&this->State);
+        this->Refill();
+        const bool isGzip = this->State.avail_in > 0 && *this->State.next_in == 0x1F;
+        outcome = isGzip ? Z_OK : Z_BUF_ERROR; // another part may follow, or padding
       }
     }
     return done;

@@ -143,6 +143,59 @@ class TestPlacements(ReaderTest):
         self.assertEqual((names.GetNumberOfValues(), names.GetValue(0)), (117, "spleen"))
 
 
+class TestVariants(ReaderTest):
+    """Spellings of headers that other programs write, and read."""
+
+    def rewrite(self, name, *pairs):
+        with open(self.path(name), "rb") as file:
+            data = file.read()
+        for old, new in pairs:
+            self.assertIn(old, data)
+            data = data.replace(old, new, 1)
+        with open(self.path(name), "wb") as file:
+            file.write(data)
+
+    def test_of_metaimage(self):
+        swapped = counted("int16").byteswap()
+        for more in ("BinaryDataByteOrderMSB = 1", "BinaryDataByteOrderMSB = T",
+                     "\nElementByteOrderMSB = true"):
+            write_meta(self.path("a.mha"), swapped, OBLIQUE, compressed=False, more=more)
+            self.rewrite("a.mha", (b"BinaryDataByteOrderMSB = False\n", b""))
+            self.expect("a.mha", counted("int16"), OBLIQUE)
+        write_meta(self.path("a.mha"), counted(), OBLIQUE)
+        self.rewrite("a.mha", (b"= LOCAL", b"= Local"),
+                     (b"CompressedData = True", b"CompressedData = 1"))
+        self.expect("a.mha", counted(), OBLIQUE)
+        write_meta(self.path("a.mha"), counted(), OBLIQUE, compressed=False, more="BinaryData = False")
+        self.assert_refuses("written as text", filter_=self.reader("a.mha"))
+
+    def test_of_nifti(self):
+        write_nifti(self.path("a.nii"), counted("int16"), OBLIQUE, offset=(108, "f", 0),
+                    intercept=(116, "f", float("nan")))
+        self.expect("a.nii", counted("int16"), TO_LEFT @ OBLIQUE)
+
+    def test_with_something_behind_compressed_values(self):
+        write_nifti(self.path("a.nii.gz"), counted(), OBLIQUE)
+        for padding in (bytes(512), b"padding"):
+            with open(self.path("a.nii.gz"), "ab") as file:
+                file.write(padding)
+            self.expect("a.nii.gz", counted(), TO_LEFT @ OBLIQUE)
+
+    def test_with_gaps_in_the_numbers_of_segments(self):
+        more = segments((1, "liver", 0), (2, "spleen", 0)).replace("Segment1_", "Segment7_")
+        write_nrrd(self.path("a.seg.nrrd"), counted("uint8") % 3, OBLIQUE, more=more)
+        names = self.read("a.seg.nrrd").GetFieldData().GetAbstractArray("StructureNames")
+        self.assertEqual([names.GetValue(i) for i in range(names.GetNumberOfValues())],
+                         ["liver", "spleen"])
+
+    def test_of_names_in_xml(self):
+        write_nifti(self.path("a.nii"), counted(), OBLIQUE, names={1: "A" * 25})
+        old = b"<![CDATA[" + b"A" * 25 + b"]]>"
+        self.rewrite("a.nii", (old, b"a &amp;amp; b &lt; &quot;c&quot;".ljust(len(old))))
+        names = self.read("a.nii").GetFieldData().GetAbstractArray("StructureNames")
+        self.assertEqual(names.GetValue(0).rstrip(), 'a &amp; b < "c"')
+
+
 class TestValues(ReaderTest):
     def test_keep_their_type(self):
         for kind in ("uint8", "int8", "int16", "uint16", "int32", "uint32", "int64", "uint64",
