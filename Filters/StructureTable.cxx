@@ -74,7 +74,9 @@ void FillStructures(const Structures& given, const TargetsFound& found, vtkTable
   const std::size_t hiders = shares.empty() ? 0 : shares.front().hiddenBy.size();
   for (std::size_t by = 0; by < hiders; ++by)
   {
-    addShares(by == 0 ? "HiddenByOther" : "HiddenBy" + of(by).NameOrLabel(),
+    const std::string name = by == 0 ? "Other" : of(by).NameOrLabel();
+    const bool isAmbiguous = by > 0 && name == "Other"; // a structure is called so
+    addShares("HiddenBy" + name + (isAmbiguous ? " " + std::to_string(of(by).label) : ""),
       [by](const StructureShares& here) { return here.hiddenBy[by]; });
   }
   AddColumn<vtkDoubleArray>(

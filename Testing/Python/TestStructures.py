@@ -282,6 +282,15 @@ class TestShares(StructuresTest):
         self.assertTrue(visible.min() <= fraction <= visible.max())
         self.assertGreater(visible.max(), vtk_to_numpy(columns["BaseVisible"]).max())
 
+    def test_of_a_structure_called_other_are_not_those_of_other_matter(self):
+        _, columns = self.run_filter((65535, "Other", 1.0), LAYERS[0])
+        hidden = [vtk_to_numpy(columns[name]) for name in columns if name.startswith("HiddenBy")]
+
+        self.assertIn("HiddenByOther 65535", columns)
+        np.testing.assert_allclose(
+            sum(hidden) + vtk_to_numpy(columns["Visible"]) + vtk_to_numpy(columns["Removed"]), 1,
+            atol=1e-5)
+
     def test_of_one_structure_are_those_of_the_score(self):
         output, columns = self.run_filter((65535, "core", 1.0))
         data = output.GetFieldData()

@@ -178,7 +178,8 @@ struct StructureLedger::Internals
       shares.visible = shareOf(seen.visible[row]);
       shares.baseVisible = shareOf(data.visible[row]);
       shares.removed = shares.important > 0 ? 1 - shareOf(seen.kept[row]) : 0;
-      shares.attainable = shareOf(most.most[row]);
+      // Its quadrature may stay below what is seen by a little.
+      shares.attainable = std::max({ shareOf(most.most[row]), shares.visible, shares.baseVisible });
       for (std::size_t by = 0; !seen.hidden.empty() && by < this->RowCount(); ++by)
       {
         shares.hiddenBy.push_back(shareOf(seen.hidden[row * this->RowCount() + by]));

@@ -45,6 +45,9 @@ Structure ParseStructure(const std::string& label, const std::string& name,
                                       "Give the number of its points, and \""
                                    << label << "\" as its name.");
   Structure structure{ *found, name, 1, {} };
+  std::replace_if(
+    structure.name.begin(), structure.name.end(),
+    [](char letter) { return letter == '\n' || letter == '\r' || letter == '\t'; }, ' ');
   const auto share = [&structure](const char* what, const std::string& text)
   {
     const auto number = NumberIn<double>(text);
