@@ -85,7 +85,8 @@ bool vtkVisibilitySettings::SetPreset(const char* name)
 {
   try
   {
-    const limpid::SettingsPreset& preset = limpid::PresetNamed(name ? name : "");
+    const std::string wanted = name ? name : "";
+    const limpid::SettingsPreset& preset = limpid::PresetNamed(wanted);
     this->SetRegularizationWeight(preset.weights.regularization);
     this->SetClearingThreshold(preset.clearingThreshold);
     this->SetViewWeight(preset.weights.view);
