@@ -111,7 +111,10 @@ void ColorLike(vtkSMProxy* display, vtkSMProxy* other, vtkPVDataInformation* dat
     vtkPVDataSetAttributesInformation* points = data->GetPointDataInformation();
     name = points->GetNumberOfArrays() > 0 ? points->GetArrayInformation(0)->GetName() : "";
   }
-  vtkSMPVRepresentationProxy::SetScalarColoring(display, name, association);
+  if (auto* representation = vtkSMPVRepresentationProxy::SafeDownCast(display))
+  {
+    representation->SetScalarColoring(name, association);
+  }
 }
 
 // Sets the labels of a display, and a row for each of them.
