@@ -75,7 +75,7 @@ def marched(extinction, base, memberships):
 
 
 class TestHiddenStructures(StructuresTest):
-    def check(self, image, structures):
+    def check(self, image, structures, bar=BAR):
         for iterations in (0, 8):
             result = optimizer(
                 image, *structures, MaximumIterations=iterations, AutomaticPlacement=0,
@@ -95,7 +95,7 @@ class TestHiddenStructures(StructuresTest):
                 vtk_to_numpy(table.GetColumnByName(f"HiddenBy{name}"))
                 for name in ("Other", *(name for _, name, _ in structures))]).T)
             for one, other in zip(found, expected):
-                self.assertLess(np.abs(one - other).max(), BAR)
+                self.assertLess(np.abs(one - other).max(), bar)
 
     def test_of_nested_shells(self):
         image = phantom(POINTS, scene=2)
@@ -114,6 +114,16 @@ class TestHiddenStructures(StructuresTest):
         image.SetSpacing(*3 * [2 / (POINTS - 1)])
         add(image.GetPointData(), "Labels", labels.ravel(order="F").astype(np.int32))
         self.check(image, [(1, "wedge", 0.0), (2, "slab", 1.0)])
+
+    def test_of_sheets_that_touch(self):
+        """Of a layer with both, each half's middle counts: too coarse by 0.009 at this depth."""
+        _, y, _ = np.meshgrid(*3 * [np.arange(POINTS)], indexing="ij")
+        labels = np.where(y == 16, 1, np.where(y == 17, 2, 0))
+        image = image_of(labels.shape, BaseExtinction=np.where(labels > 0, 10.0, 0.2).ravel(order="F"))
+        image.SetOrigin(-1, -1, -1)
+        image.SetSpacing(*3 * [2 / (POINTS - 1)])
+        add(image.GetPointData(), "Labels", labels.ravel(order="F").astype(np.int32))
+        self.check(image, [(1, "front", 0.5), (2, "rear", 1.0)], bar=0.01)
 
 
 if __name__ == "__main__":

@@ -264,36 +264,60 @@ private:
     this->States()[RayDepth::ToSlice][column] += thickness;
   }
 
-  /// Divides what is hidden among those in front of the middle of the layer.
+  /// Returns the part of a structure in a layer that is in its front half or its rear half.
+  static double PartInHalf(const StructuresHere& here, std::size_t k, std::size_t half)
+  {
+    const double both = double(here.share[k][0]) + double(here.share[k][1]);
+    return both > 0 ? double(here.share[k][half]) / both : 0.5;
+  }
+
+  /// Divides what is hidden among those in front of the middle of each half of the layer.
   void HideSeveral(LedgerRay& ray, const StructuresHere& here,
     const std::array<OfLayer, StructuresHere::most>& found, double thickness, double weight)
   {
+    double before = 0;
+    for (const MetStructure& met : ray.met)
+    {
+      before += std::max(met.depth, 0.0);
+    }
     double all = 0;
+    std::array<double, 2> deeper{};
     for (std::size_t k = 0; k < here.count; ++k)
     {
       all += found[k].depth;
+      deeper[0] += found[k].depth * PartInHalf(here, k, 0);
+      deeper[1] += found[k].depth * PartInHalf(here, k, 1);
     }
-    const double toMiddle = all > 0 ? 0.5 * thickness / all : 0.0;
-    const auto deepen = [&] // to the middle of the layer, and to its end
+    const double perDepth = all > 0 ? thickness / all : 0.0;
+    // Share of the light that is lost at the middle of each half.
+    const std::array<double, 2> lost{ Stop(before + perDepth * 0.5 * deeper[0]),
+      Stop(before + perDepth * (deeper[0] + 0.5 * deeper[1])) };
+    for (std::size_t half = 0; half < 2; ++half)
     {
+      const auto deepen = [&] // to the middle of the half, and to its end
+      {
+        for (std::size_t k = 0; k < here.count; ++k)
+        {
+          ray.Meet(RowOf(here.number[k])).depth +=
+            0.5 * perDepth * found[k].depth * PartInHalf(here, k, half);
+        }
+      };
+      deepen();
+      double depth = 0;
+      for (const MetStructure& met : ray.met)
+      {
+        depth += std::max(met.depth, 0.0);
+      }
       for (std::size_t k = 0; k < here.count; ++k)
       {
-        ray.Meet(RowOf(here.number[k])).depth += toMiddle * found[k].depth;
+        const double frontPart = PartInHalf(here, k, 0) * lost[0];
+        const double both = frontPart + PartInHalf(here, k, 1) * lost[1];
+        const double share = both > 0 ? PartInHalf(here, k, half) * lost[half] / both : 0.5;
+        const double hidden = weight * share * (found[k].kept - found[k].visible);
+        this->Hide(ray, RowOf(here.number[k]), hidden, depth > 0 ? hidden / depth : 0.0);
       }
-    };
-    deepen();
-    double depth = 0;
-    for (const MetStructure& met : ray.met)
-    {
-      depth += std::max(met.depth, 0.0);
+      deepen();
     }
-    const double perDepth = depth > 0 ? weight / depth : 0.0;
-    for (std::size_t k = 0; k < here.count; ++k)
-    {
-      const double hidden = found[k].kept - found[k].visible;
-      this->Hide(ray, RowOf(here.number[k]), weight * hidden, perDepth * hidden);
-    }
-    deepen();
   }
 
   float* HiddenPerDepth; ///< see LedgerStep, like the following
