@@ -298,9 +298,9 @@ void vtkExtinctionOptimizer::Internals::WriteStructures(const limpid::ImageScene
   const std::string missing = limpid::StructuresWithoutMatter(*scene.structures, found.shares);
   if (!missing.empty())
   {
-    vtkWarningWithObjectMacro(
-      this->Self, << "Of these structures there is nothing to see in the image: " << missing
-                  << " (no point has the label, the points have no extinction, or they are out of view; their "
+    vtkWarningWithObjectMacro(this->Self,
+      << "Of these structures there is nothing to see in the image: " << missing
+      << " (no point has the label, the points have no extinction, or they are out of view; their "
          "shares are 0). Check the labels, the structure array and the opacity function.");
   }
   limpid::FillStructures(*scene.structures, found, table);
