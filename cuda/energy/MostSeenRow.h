@@ -118,7 +118,7 @@ private:
         ray.kept[0] = here.bound[k][0];
         ray.kept[1] = here.bound[k][1];
         const CeilingStep<limpid::Kept::Ignored> step{ alone.States(), this->Most };
-        const auto shareOf = [wanted](StructureRow row) { return row == wanted ? 1.0f : 0.0f; };
+        const Membership shareOf{ wanted };
         if (isResolved)
         {
           this->Resolve(

@@ -22,7 +22,7 @@ struct LedgerStep
   float* hiddenPerDepth;   ///< [column]: integral of what is hidden over the optical depth there
   const float* in;         ///< [column]: see LedgerRays
   const float* importance; ///< [row]: of the structures
-  // Of rays in several structures, for an importance of 1: [half][column].
+  // What rays in several structures find for an importance of 1: [half][column].
   float* visible[2];
   float* kept[2];
   float* depth[2];
@@ -230,8 +230,7 @@ private:
     for (std::size_t k = 0; k < here.count; ++k)
     {
       const StructureRow wanted = RowOf(here.number[k]);
-      detail::RayHere alone =
-        see([wanted](StructureRow row) { return row == wanted ? 1.0f : 0.0f; }, here.share[k]);
+      detail::RayHere alone = see(Membership{ wanted }, here.share[k]);
       const RayStates states = alone.States();
       found[k] = { double(*states[RayChannel::Unattenuated]),
         double(*states[RayChannel::KeptVisible]), double(*states[RayChannel::KeptUnattenuated]) };

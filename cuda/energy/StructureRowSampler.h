@@ -65,6 +65,14 @@ public:
 protected:
   static constexpr std::size_t rowArrays = 9; ///< by column, with those of derived classes
 
+  /// Importance of a row if one structure alone is important.
+  struct Membership
+  {
+    StructureRow wanted;
+
+    float operator()(StructureRow row) const { return row == this->wanted ? 1.0f : 0.0f; }
+  };
+
   /// A ray with the membership of one structure, or with the importance of all.
   template <class ShareOf>
   struct RayOf
@@ -164,24 +172,15 @@ protected:
   /// Adds the structures of all nodes that samples of a resolved layer may read.
   void AddAllNear(int column, StructuresHere& here) const
   {
-    const double front = this->Rays.layer.front;
-    const double back = front + this->Rays.layer.thickness;
-    const auto nodesOf = [front, back](const RayLine& line, int nodes) -> Range<int>
-    {
-      const int first = NodesAt(line.At(front), nodes).first;
-      const int last = NodesAt(line.At(back), nodes).first;
-      return { std::min(first, last), std::max(first, last) + 2 };
-    };
     const Range<int> columns =
-      nodesOf(this->Frustum.Row(this->Frustum.columnLines)[column], this->Frustum.nodesU);
-    const Range<int> rows =
-      nodesOf(this->Frustum.Row(this->Frustum.rowLines)[this->RowNumber], this->Frustum.nodesV);
+      this->CellsOf(this->Frustum.Row(this->Frustum.columnLines)[column], this->Frustum.nodesU);
+    const Range<int> rows = this->RowsOfCells();
     for (const int node : this->Frustum.SliceAt(this->S).nodes)
     {
-      for (int row = rows.begin; row < rows.end; ++row)
+      for (int row = rows.begin; row <= rows.end; ++row)
       {
         const float* numbers = this->Sweep.fields.rows->Row(node, row);
-        for (int at = columns.begin; at < columns.end; ++at)
+        for (int at = columns.begin; at <= columns.end; ++at)
         {
           here.IndexOf(numbers[at]);
         }
@@ -260,27 +259,38 @@ protected:
   float* IsResolved; ///< whether the layer of a ray in several structures is resolved
 
 private:
+  /// Depths of both ends of the layer.
+  Range<double> Ends() const
+  {
+    const double front = this->Rays.layer.front;
+    return { front, front + this->Rays.layer.thickness };
+  }
+
+  /// Cells that a line crosses in the layer; their nodes are one more.
+  Range<int> CellsOf(const RayLine& line, int nodes) const
+  {
+    const Range<double> ends = this->Ends();
+    const int first = NodesAt(line.At(ends.begin), nodes).first;
+    const int last = NodesAt(line.At(ends.end), nodes).first;
+    return { std::min(first, last), std::max(first, last) + 1 };
+  }
+
+  Range<int> RowsOfCells() const
+  {
+    return this->CellsOf(
+      this->Frustum.Row(this->Frustum.rowLines)[this->RowNumber], this->Frustum.nodesV);
+  }
+
   /// Finds the structure that each ray is in, from all nodes that samples of the layer may read.
   void FindRows()
   {
-    const double front = this->Rays.layer.front;
-    const double back = front + this->Rays.layer.thickness;
     const RayLine* lines = this->Frustum.Row(this->Frustum.columnLines);
     const int nodesU = this->Frustum.nodesU;
-    const auto cellsOf = [](const RayLine& line, double from, double to, int nodes) -> Range<int>
-    {
-      const int first = NodesAt(line.At(from), nodes).first;
-      const int last = NodesAt(line.At(to), nodes).first;
-      return { std::min(first, last), std::max(first, last) + 1 };
-    };
     const Range<int> columns = this->Rays.columns;
-    const Range<int> rowsOfCells =
-      cellsOf(this->Frustum.Row(this->Frustum.rowLines)[this->RowNumber], front, back,
-        this->Frustum.nodesV);
-    const Range<int> read = Hull(cellsOf(lines[columns.begin], front, back, nodesU),
-      cellsOf(lines[columns.end - 1], front, back, nodesU));
-    this->FindCells(rowsOfCells, read);
-    FindStructures(lines, columns, { front, back }, this->InCell, nodesU, this->In);
+    const Range<int> read = Hull(
+      this->CellsOf(lines[columns.begin], nodesU), this->CellsOf(lines[columns.end - 1], nodesU));
+    this->FindCells(this->RowsOfCells(), read);
+    FindStructures(lines, columns, this->Ends(), this->InCell, nodesU, this->In);
     for (int i = columns.begin; i < columns.end; ++i)
     {
       this->Important[i] = this->In[i] < 0.0f ? 1.0f : this->In[i];
