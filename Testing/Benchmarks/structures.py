@@ -7,21 +7,20 @@
 #   python3 Testing/Benchmarks/structures.py LABELS FILE.scene.json...
 # Prints a row of Markdown per scene: medians of interleaved runs, in seconds of all threads.
 
-import json
 import pathlib
 import resource
 import statistics
 import sys
 
 import numpy as np
-from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkIOXML import vtkXMLImageDataReader
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "Python"))
+for folder in ("Python", "Scenes"):
+    sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / folder))
 
 from limpid.vtkLimpidFilters import vtkExtinctionOptimizer  # noqa: E402
 
 from images import filter_on, image_of  # noqa: E402
+from scene_values import read_scene  # noqa: E402
 
 RUNS = 5
 BLOCKS = 5  # along each axis; labels are counted through them
@@ -35,12 +34,7 @@ def spent():
 
 def read(path, labels):
     """Image and camera of a scene."""
-    scene = json.loads(path.read_text())
-    reader = vtkXMLImageDataReader()
-    reader.SetFileName(str(path.parent / scene["data"]["file"]))
-    reader.Update()
-    image = reader.GetOutput()
-    values = vtk_to_numpy(image.GetPointData().GetArray(scene["data"]["array"]))
+    scene, image, values = read_scene(path)
     extinction = np.interp(values, *np.transpose(scene["extinction_tf"])).astype("float32")
     nodes = image.GetDimensions()
     x, y, z = np.unravel_index(np.arange(values.size), nodes, order="F")

@@ -14,17 +14,15 @@ import pathlib
 import sys
 
 import numpy
-from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkIOXML import vtkXMLImageDataReader
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "Scenes"))
+
+from scene_values import read_scene  # noqa: E402
 
 
 def pack(path, folder):
-    scene = json.loads(path.read_text())
-    reader = vtkXMLImageDataReader()
-    reader.SetFileName(str(path.parent / scene["data"]["file"]))
-    reader.Update()
-    image = reader.GetOutput()
-    values = vtk_to_numpy(image.GetPointData().GetArray(scene["data"]["array"])).astype(float)
+    scene, image, values = read_scene(path)
+    values = values.astype(float)
     low, high = values.min(), values.max()
     scene["data"]["file"] = scene["name"] + ".packed"
     (folder / path.name).write_text(json.dumps(scene))
