@@ -16,9 +16,10 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <cstdlib>
+#include <locale>
 #include <map>
 #include <optional>
+#include <sstream>
 
 namespace limpid
 {
@@ -194,10 +195,10 @@ std::optional<double> AttributeIn(const std::string& element, const std::string&
 {
   const std::string before = " " + name + "=\"";
   const std::size_t at = element.find(before);
-  const char* first = element.c_str() + at + before.size();
-  char* end = nullptr;
-  const double number = at == std::string::npos ? 0 : std::strtod(first, &end);
-  return end && end != first && *end == '"' ? std::optional<double>(number) : std::nullopt;
+  std::istringstream text(at == std::string::npos ? "" : element.substr(at + before.size()));
+  text.imbue(std::locale::classic());
+  double number = 0;
+  return text >> number && text.peek() == '"' ? std::optional<double>(number) : std::nullopt;
 }
 
 // Returns the text of an element of XML.

@@ -13,6 +13,7 @@
 #include "math/Require.h"
 
 #include <cstddef>
+#include <locale>
 #include <map>
 #include <optional>
 #include <set>
@@ -51,6 +52,7 @@ std::optional<Color> ColorIn(const std::string& text)
 {
   Color color;
   std::istringstream numbers(text);
+  numbers.imbue(std::locale::classic());
   return numbers >> color[0] >> color[1] >> color[2] ? ColorOf(color, 1) : std::nullopt;
 }
 

@@ -20,7 +20,7 @@
  * without). Files of 3D Slicer and NIfTI files with a label table (of TotalSegmentator or
  * Connectome Workbench) do.
  *
- * Of NIfTI files, the sform is used, or else the qform; also the qform if the sform is sheared.
+ * The sform of a NIfTI file is used, or else its qform; also the qform if the sform is sheared.
  *
  * @sa vtkAddStructures
  */
