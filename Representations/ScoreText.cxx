@@ -99,18 +99,11 @@ std::vector<vtkIdType> ToldRows(vtkTable* structures)
   return important;
 }
 
-// Returns what is visible of the structures that matter most, a line each. Empty while unknown: a
-// client that makes steps has it measured after them.
+// Returns what is visible of the structures that matter most, a line each. Empty while unknown.
 std::string StructureLines(vtkTransmittanceVolumeMapper* mapper)
 {
-  const bool isMeasured = mapper->GetStructuresMeasured();
-  const std::vector<vtkIdType> rows = ToldRows(mapper->GetKnownStructureTable());
-  if (rows.empty() || (!isMeasured && mapper->GetProgressiveStill()))
-  {
-    return {};
-  }
-  vtkTable* structures =
-    isMeasured ? mapper->GetKnownStructureTable() : mapper->GetStructureTable();
+  vtkTable* structures = mapper->GetKnownStructureTable();
+  const std::vector<vtkIdType> rows = ToldRows(structures);
   std::string text;
   if (structures->GetColumnByName("Visible"))
   {
@@ -152,6 +145,11 @@ std::string ScoreText(vtkTransmittanceVolumeMapper* mapper, bool isInView, const
     text += StateOfIterations(mapper);
   }
   return text + StructureLines(mapper);
+}
+
+bool NeedsShares(vtkTransmittanceVolumeMapper* mapper)
+{
+  return !mapper->GetStructuresMeasured() && !ToldRows(mapper->GetKnownStructureTable()).empty();
 }
 
 std::string MissedText(vtkTransmittanceVolumeMapper* mapper)

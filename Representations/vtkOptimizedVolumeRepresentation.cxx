@@ -216,6 +216,11 @@ void vtkOptimizedVolumeRepresentation::BeginFrame(vtkObject* object, unsigned lo
   {
     renderer->UseDepthPeelingForVolumesOff();
   }
+  // Whether a picture is saved is known to one process only, and all must measure together.
+  const bool isSaved =
+    !this->Others() && this->State->View && limpid::IsCaptured(this->State->View);
+  this->State->Mapper->TellsShares =
+    this->State->ShowScore && (!isSaved || this->State->ScoreInScreenshots);
   if (this->Others())
   {
     // Processes that draw together wait for each other, so all must take part in every frame.
@@ -237,4 +242,8 @@ void vtkRepresentedVolumeMapper::Render(vtkRenderer* renderer, vtkVolume*)
 {
   this->HasDrawn = true;
   this->vtkTransmittanceVolumeMapper::Render(renderer, this->Prop);
+  if (this->TellsShares && !this->GetProgressiveStill() && limpid::NeedsShares(this))
+  {
+    this->GetStructureTable();
+  }
 }

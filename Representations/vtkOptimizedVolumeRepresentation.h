@@ -225,7 +225,8 @@ public:
   ///@{
   /**
    * Measures these shares if the last picture has converged. It may take as long as the picture.
-   * GetStructuresMeasured returns whether there is nothing to measure.
+   * If processes draw together, all of them call it. GetStructuresMeasured returns whether there is
+   * nothing to measure.
    */
   void MeasureStructures();
   int GetStructuresMeasured();

@@ -40,6 +40,10 @@ public:
   /// Whether the renderer called it in this frame. It does not if the volume is out of the view;
   /// the mapper's results then refer to an earlier frame.
   bool HasDrawn = false;
+
+  /// Whether the text in the view needs what the last picture shows of structures. It is measured
+  /// after a frame that is not made in steps; otherwise the client asks for it.
+  bool TellsShares = false;
 };
 
 struct vtkOptimizedVolumeRepresentation::Internals

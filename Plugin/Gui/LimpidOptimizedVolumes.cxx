@@ -88,7 +88,7 @@ bool AreStructuresMeasured(vtkSMProxy* volume)
 
 void MeasureStructures(vtkSMProxy* volume)
 {
-  Ask(volume, "MeasureStructures", vtkPVSession::RENDER_SERVER_ROOT, true);
+  Ask(volume, "MeasureStructures", vtkPVSession::RENDER_SERVER, true);
 }
 
 int PickStructure(vtkSMProxy* volume, double x, double y)

@@ -27,8 +27,7 @@ struct PictureSubject
   ViewGeometry geometry;
   View rays;                ///< rays of the picture at full resolution, except their ends
   std::vector<float> depth; ///< ends of the rays in clip coordinates; empty: the end of the range
-  std::array<std::uint64_t, 5> data{}; ///< versions of scalars, functions, importance, scene and
-                                       ///< structures
+  std::array<std::uint64_t, 4> data{}; ///< versions of scalars, functions, importance and scene
   std::uint64_t found = 0;             ///< version of the optimisation; 0: picture without it
 
   /// Returns the subject of the picture without optimisation of this view.

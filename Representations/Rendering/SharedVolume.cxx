@@ -9,9 +9,11 @@
 
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
+#include "vtkUnsignedShortArray.h"
 
 #include "distributed/ExchangePlan.h"
 #include "scene/FieldView.h"
+#include "scene/Structures.h"
 
 #include <algorithm>
 
@@ -64,6 +66,18 @@ std::vector<float> SharedVolume::Extended(const std::vector<float>& shares) cons
   const std::vector<float> all(std::size_t(this->HerePiece->nodes.Count()), 1.0F);
   std::vector<float> extended(std::size_t(this->Part.Nodes().NodeCount()), 1.0F);
   this->Extend(shares.empty() ? all.data() : shares.data(), extended.data());
+  return extended;
+}
+
+vtkSmartPointer<vtkUnsignedShortArray> SharedVolume::Extended(vtkUnsignedShortArray* rows) const
+{
+  const StructureRow* first = rows->GetPointer(0);
+  const std::vector<float> here(first, first + rows->GetNumberOfValues());
+  std::vector<float> numbers(std::size_t(this->Part.Nodes().NodeCount()), 0.0F);
+  this->Extend(here.data(), numbers.data());
+  auto extended = NewArray<vtkUnsignedShortArray>(rows->GetName(), this->Part.Nodes().NodeCount());
+  std::transform(numbers.begin(), numbers.end(), extended->GetPointer(0),
+    [](float number) { return static_cast<StructureRow>(number); });
   return extended;
 }
 }

@@ -16,6 +16,7 @@
 
 class vtkFloatArray;
 class vtkImageData;
+class vtkUnsignedShortArray;
 
 namespace limpid
 {
@@ -42,6 +43,9 @@ public:
 
   /// Extends shares in this way; empty if no process has any. Collective.
   std::vector<float> Extended(const std::vector<float>& shares) const;
+
+  /// Extends rows of structures in this way; 0 where no process has one. Collective.
+  vtkSmartPointer<vtkUnsignedShortArray> Extended(vtkUnsignedShortArray* rows) const;
 
 private:
   void Extend(const float* field, float* extended) const;

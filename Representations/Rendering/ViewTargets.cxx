@@ -45,7 +45,7 @@ void ViewTargets::TakeStructures(const VolumeData& data)
 {
   *this = ViewTargets();
   const Structures* given = data.Labelled();
-  if (given && given->HasTargets() && data.Drawn().Piece()->IsWhole())
+  if (given && given->HasTargets())
   {
     this->Search.emplace(*given, Settings());
   }

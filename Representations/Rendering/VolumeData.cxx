@@ -7,7 +7,6 @@
 #include "Blanking.h"
 #include "Memory.h"
 #include "SharedImage.h"
-#include "StructureLabels.h"
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
@@ -404,6 +403,7 @@ void VolumeData::TakeImportance(vtkImageData* here, const FieldSource& source)
 {
   SceneArrays taken;
   taken.importance = NewArray<vtkFloatArray>("Importance", 0);
+  taken.structureRows = NewArray<vtkUnsignedShortArray>("Structure", 0);
   if (source.array)
   {
     ConvertImportance(here, source, taken);
@@ -413,11 +413,14 @@ void VolumeData::TakeImportance(vtkImageData* here, const FieldSource& source)
   {
     taken.importance = this->Shared->Extended(taken.importance, 0.0F);
     shares = this->Shared->Extended(shares);
+    if (source.structures)
+    {
+      taken.structureRows = this->Shared->Extended(taken.structureRows);
+    }
   }
   this->Arrays.importance = taken.importance;
   this->Arrays.structureRows = taken.structureRows;
   this->LabelledParts = source.structures;
-  this->IsOfStructures = this->AnyRank(source.structures != nullptr);
   this->CorrectImportance(shares);
 }
 
@@ -452,24 +455,6 @@ void VolumeData::UpdateReferences(vtkImageData* image, const std::vector<FieldSo
   ++this->ReferenceChanges;
 }
 
-void VolumeData::UpdateStructures(
-  vtkImageData* image, const FieldSource& labels, vtkMTimeType structuresTime)
-{
-  const ArrayKey key = KeyOf(image, labels, structuresTime);
-  if (!(key == this->StructuresKey))
-  {
-    this->RowsOfStructures = nullptr;
-    this->StructuresKey = ArrayKey();
-    if (labels.array)
-    {
-      RequireOneEach(image, labels);
-      this->RowsOfStructures = RowsAtPoints(image, labels);
-    }
-    this->StructuresKey = key;
-    ++this->StructureChanges;
-  }
-}
-
 SceneFields VolumeData::Scene() const
 {
   SceneFields scene;
@@ -479,7 +464,7 @@ SceneFields VolumeData::Scene() const
   scene.importance = this->Arrays.importance->GetPointer(0);
   scene.majorant = this->Majorant;
   SetReferences(this->Given, scene);
-  scene.despeckled = this->IsOfStructures ? scene.importance : nullptr; // labels have no noise
+  scene.despeckled = this->Labelled() ? scene.importance : nullptr; // labels have no noise
   return scene;
 }
 
@@ -509,8 +494,6 @@ void VolumeData::Release()
   this->ScalarShares = {};
   this->Arrays = SceneArrays();
   this->LabelledParts = nullptr;
-  this->RowsOfStructures = nullptr;
-  this->StructuresKey = ArrayKey();
   this->Given = {};
   this->ReferenceKeys.clear();
   this->Tables.extinction.clear();

@@ -46,17 +46,13 @@ public:
   void UpdateFunctions(vtkVolumeProperty* property);
 
   /// Updates the importance at the points of the image; a null array: there is none.
-  /// `functionTime`: modification time of the source's mapping.
+  /// `functionTime`: modification time of the source's mapping. If ranks share the image, all give
+  /// the structures of the source, even those without points.
   void UpdateImportance(vtkImageData* image, const FieldSource& source, vtkMTimeType functionTime);
 
   /// Updates the reference extinctions at the points of the image. `sources`: see
   /// ReferenceSources.
   void UpdateReferences(vtkImageData* image, const std::vector<FieldSource>& sources);
-
-  /// Updates the rows of structures at the points of the image; a null array: they are not needed.
-  /// `structuresTime`: modification time of the structures. Not if ranks share the image.
-  void UpdateStructures(
-    vtkImageData* image, const FieldSource& labels, vtkMTimeType structuresTime);
 
   /// Frees memory.
   void Release();
@@ -82,17 +78,11 @@ public:
   /// Returns the importance at each point [0, 1]. Requires HasImportance().
   const float* Importance() const { return this->Arrays.importance->GetPointer(0); }
 
-  /// Returns the structures that the importance is that of; null: there are none here.
+  /// Returns the structures that the importance is that of; null: there are none.
   const Structures* Labelled() const { return this->LabelledParts.get(); }
 
   /// Returns the row of the structure at each point. Requires Labelled().
   const StructureRow* StructureRows() const { return this->Arrays.structureRows->GetPointer(0); }
-
-  /// Returns the row of the structure at each point for colours; null: not needed.
-  const StructureRow* TintRows() const
-  {
-    return this->RowsOfStructures ? this->RowsOfStructures->GetPointer(0) : nullptr;
-  }
 
   /// Returns the scene of the optimisation. Requires HasImportance().
   SceneFields Scene() const;
@@ -117,7 +107,6 @@ public:
   std::uint64_t ScalarsVersion() const { return this->ScalarChanges; }
   std::uint64_t FunctionsVersion() const { return this->FunctionChanges; }
   std::uint64_t ImportanceVersion() const { return this->ImportanceChanges; }
-  std::uint64_t StructuresVersion() const { return this->StructureChanges; }
   std::uint64_t SceneVersion() const;
 
   /// Returns a warning about values that were not used as they are; may be empty.
@@ -186,13 +175,9 @@ private:
   std::uint64_t ReferenceScalars = 0; ///< version of the scalars they were computed for
   std::uint64_t ReferenceChanges = 0;
   ArrayKey ImportanceKey;
-  std::uint64_t ImportanceScalars = 0; ///< version of the scalars it was computed for
-  SceneArrays Arrays;                  ///< base extinction and importance
-  bool IsOfStructures = false; ///< whether the importance is that of structures, on any rank
+  std::uint64_t ImportanceScalars = 0;             ///< version of the scalars it was computed for
+  SceneArrays Arrays;                              ///< base extinction and importance
   std::shared_ptr<const Structures> LabelledParts; ///< see Labelled
-  ArrayKey StructuresKey;
-  vtkSmartPointer<vtkUnsignedShortArray> RowsOfStructures; ///< see TintRows
-  std::uint64_t StructureChanges = 0;
   std::uint64_t BaseVersion = 0; ///< version of the functions the base was computed with
   std::uint64_t ImportanceChanges = 0;
 };

@@ -164,12 +164,12 @@ void VolumeView::UseImportance(
 
 void VolumeView::UseStructures(const FrameSettings& frame, const VolumeData& data)
 {
-  const bool used = frame.structureColors > 0 && data.TintRows();
-  const std::uint64_t version = used ? data.StructuresVersion() : 0;
+  const bool used = frame.structureColors > 0 && data.Labelled();
+  const std::uint64_t version = used ? data.ImportanceVersion() : 0;
   if (version != this->StructuresVersion)
   {
     this->StructuresVersion = 0;
-    this->Caster.SetStructures(used ? data.TintRows() : nullptr);
+    this->Caster.SetStructures(used ? data.StructureRows() : nullptr);
     this->StructuresVersion = version;
   }
   this->Caster.TintStructures(used ? frame.structureColors : 0, frame.colorsOfRows);

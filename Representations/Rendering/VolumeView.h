@@ -71,8 +71,7 @@ public:
   bool PrepareOriginal(const VolumeData& data);
 
   /// Finds what the camera of the last frame sees of each structure of the data, unless that is
-  /// known. Takes about as long as ten scores. Not in distributed runs. Throws if there is no
-  /// memory.
+  /// known. Takes about as long as ten scores. Collective. Throws if there is no memory.
   void MeasureStructures(const VolumeData& data);
 
   /// Returns what MeasureStructures has found for the last frame, in the order of the structures;

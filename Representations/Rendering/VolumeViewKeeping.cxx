@@ -31,7 +31,7 @@ PictureSubject VolumeView::SubjectOf(
   subject.rays = RaysOf(frame, geometry, data.Cropped().planes, whole);
   subject.depth = this->Opaque->IsEmpty() ? std::vector<float>() : this->Opaque->InMiddles(whole);
   subject.data = { { data.ScalarsVersion(), data.FunctionsVersion(), data.ImportanceVersion(),
-    data.SceneVersion(), data.StructuresVersion() } };
+    data.SceneVersion() } };
   subject.found = frame.optimize ? this->Optimization.Version() : 0;
   return subject;
 }
@@ -97,8 +97,7 @@ bool VolumeView::MakeOriginal(const VolumeData& data)
   const PictureSubject& shown = optimized->subject;
   const bool isCurrent = shown.data[0] == this->ScalarsVersion &&
     shown.data[0] == data.ScalarsVersion() && shown.data[1] == data.FunctionsVersion() &&
-    shown.data[2] == data.ImportanceVersion() && shown.data[4] == data.StructuresVersion() &&
-    shown.found == this->Optimization.Version();
+    shown.data[2] == data.ImportanceVersion() && shown.found == this->Optimization.Version();
   PictureSubject original = shown.WithoutOptimization();
   if (!isCurrent || this->Pictures.Find(original))
   {

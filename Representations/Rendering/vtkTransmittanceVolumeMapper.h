@@ -497,8 +497,8 @@ public:
    * vtkExtinctionOptimizer, see there, for this camera and, of several, only for it. It has no
    * shares until the frame has converged; then the first call computes them, which takes about ten
    * times as long as a score and may be aborted like a frame. With opaque geometry, which hides
-   * what is behind it, it takes twice as long. With SharesImage, there are no shares in several
-   * processes. Without a structure array, the table is empty.
+   * what is behind it, it takes twice as long. With SharesImage, all processes call it together.
+   * Without a structure array, the table is empty.
    */
   vtkTable* GetStructureTable();
 

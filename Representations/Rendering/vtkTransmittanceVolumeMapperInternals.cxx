@@ -305,22 +305,29 @@ bool vtkTransmittanceVolumeMapper::Internals::PrepareOriginals()
 // Returns whether the last frame was such that its camera's view of structures can be measured.
 bool vtkTransmittanceVolumeMapper::Internals::CanMeasureStructures() const
 {
-  return this->Shown && this->Last.measured && this->Last.converged && this->Data.Labelled() &&
-    this->Ranks->IsAlone();
+  return this->Shown && this->Last.measured && this->Last.converged && this->Data.Labelled();
 }
 
 void vtkTransmittanceVolumeMapper::Internals::MeasureStructures()
 {
-  if (this->Data.Labelled() && !this->Ranks->IsAlone() && this->ReportsMessages())
+  if (!this->CanMeasureStructures() || this->Drawing > 0)
   {
-    vtkWarningWithObjectMacro(this->Self,
-      << "Several processes share the image (what a picture shows of each structure is not "
-         "computed in distributed runs): there are no shares. Use vtkExtinctionOptimizer.");
+    return;
   }
-  if (this->CanMeasureStructures() && this->Drawing == 0)
-  {
-    this->WhileDrawing([this]() { this->Shown->MeasureStructures(this->Data); });
-  }
+  this->WhileDrawing(
+    [this]()
+    {
+      try
+      {
+        limpid::NotifyingOnFailure(
+          *this->Ranks, [this]() { this->Shown->MeasureStructures(this->Data); });
+      }
+      catch (...)
+      {
+        this->Disband();
+        throw;
+      }
+    });
 }
 
 vtkTable* vtkTransmittanceVolumeMapper::Internals::KnownStructures()
@@ -408,12 +415,13 @@ double* vtkTransmittanceVolumeMapper::Internals::FindWholeBounds(
 
 // Detects values that were changed in place, in all arrays that are drawn.
 void vtkTransmittanceVolumeMapper::Internals::NoticeChanges(
-  vtkImageData* image, vtkDataArray* scalars, vtkDataArray* extinction)
+  vtkImageData* image, std::vector<vtkDataArray*> arrays)
 {
   const char* ghosts = vtkDataSetAttributes::GhostArrayName();
-  this->Contents.Notice(image,
-    { scalars, extinction, this->GivenImportance(image).array,
-      image->GetPointData()->GetArray(ghosts), image->GetCellData()->GetArray(ghosts) });
+  arrays.push_back(this->GivenImportance(image).array);
+  arrays.push_back(image->GetPointData()->GetArray(ghosts));
+  arrays.push_back(image->GetCellData()->GetArray(ghosts));
+  this->Contents.Notice(image, arrays);
 }
 
 void vtkTransmittanceVolumeMapper::Internals::Draw(
@@ -430,51 +438,16 @@ void vtkTransmittanceVolumeMapper::Internals::Draw(
     isHere ? this->ScalarSource(image, volume) : limpid::FieldSource();
   const limpid::FieldSource extinction =
     isHere ? this->ExtinctionSource(image) : limpid::FieldSource();
-  this->NoticeChanges(image, scalars.array, extinction.array);
+  const limpid::ImportanceChoice choice =
+    isHere ? this->ChooseImportance(image, scalars) : limpid::ImportanceChoice();
+  this->NoticeChanges(image, { scalars.array, extinction.array, choice.labels.array });
   this->Data.UpdateScalars(
     image, scalars, extinction, this->CropRegionOf(volume), volume->GetProperty());
   this->Data.UpdateFunctions(volume->GetProperty());
   this->Data.UpdateReferences(
     image, limpid::ReferenceSources(this->Self, isHere ? image : nullptr));
-  limpid::ImportanceChoice choice =
-    isHere ? this->ChooseImportance(image, scalars) : limpid::ImportanceChoice();
-  this->AssumeImportance(image, choice);
-  Importance importance;
-  std::string trouble; // error message about the importance
-  try
-  {
-    importance = isHere ? this->ImportanceOf(image, choice) : Importance();
-    if (this->Ranks->IsAlone())
-    {
-      this->Data.UpdateImportance(image, importance.source, importance.functionTime);
-    }
-  }
-  catch (const std::exception& error)
-  {
-    trouble = this->MessageOf(error);
-  }
-  if (this->AnyRank(!trouble.empty()))
-  {
-    // Without optimisation, importance is used only for the score and for missed structures.
-    if (frame.optimize || frame.showMissed)
-    {
-      this->Error((trouble.empty() ? "Another process has no importance." : trouble) +
-        (frame.optimize ? " The volume is drawn without optimization."
-                        : " Missed structures are not painted."));
-    }
-    this->Data.UpdateImportance(image, limpid::FieldSource(), 0);
-    frame.optimize = false;
-    frame.showMissed = false;
-  }
-  else if (!this->Ranks->IsAlone())
-  {
-    this->Data.UpdateImportance(image, importance.source, importance.functionTime);
-  }
-  if (!importance.warning.empty() && (frame.optimize || frame.showMissed))
-  {
-    this->Warn(importance.warning);
-  }
-  this->UpdateStructures(image, choice.labels, frame);
+  this->UpdateImportance(image, choice, frame);
+  this->ChooseColors(frame);
   if (inParts && frame.Composing() != limpid::Compositing::FrontToBack)
   {
     this->Warn(std::string("Method is ") + limpid::InfoOf(frame.solver.method).name +

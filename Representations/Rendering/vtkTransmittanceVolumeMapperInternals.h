@@ -84,9 +84,12 @@ struct vtkTransmittanceVolumeMapper::Internals
   void AssumeImportance(vtkImageData* image, limpid::ImportanceChoice& choice);
   Importance ImportanceOf(vtkImageData* image, const limpid::ImportanceChoice& choice);
   limpid::FieldSource GivenImportance(vtkImageData* image) const;
-  void NoticeChanges(vtkImageData* image, vtkDataArray* scalars, vtkDataArray* extinction);
-  void UpdateStructures(
-    vtkImageData* image, const limpid::FieldSource& labels, limpid::FrameSettings& frame);
+  void UpdateImportance(
+    vtkImageData* image, limpid::ImportanceChoice choice, limpid::FrameSettings& frame);
+  void LeaveImportance(vtkImageData* image, const limpid::ImportanceChoice& choice,
+    const std::string& reason, limpid::FrameSettings& frame);
+  void ChooseColors(limpid::FrameSettings& frame);
+  void NoticeChanges(vtkImageData* image, std::vector<vtkDataArray*> arrays);
   limpid::CropRegion CropRegionOf(vtkVolume* volume) const;
   void RequirePossibleNumbers() const;
   limpid::FrameSettings MakeFrameSettings(vtkRenderer* renderer, vtkVolume* volume);

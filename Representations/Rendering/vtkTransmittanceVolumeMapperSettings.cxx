@@ -214,32 +214,88 @@ vtkTransmittanceVolumeMapper::Internals::ImportanceOf(
   return importance;
 }
 
-// Finds the colours of structures. If there are none, the volume is drawn without.
-void vtkTransmittanceVolumeMapper::Internals::UpdateStructures(
-  vtkImageData* image, const limpid::FieldSource& labels, limpid::FrameSettings& frame)
+// Updates the importance of the data. Without importance, the volume is drawn without optimisation.
+void vtkTransmittanceVolumeMapper::Internals::UpdateImportance(
+  vtkImageData* image, limpid::ImportanceChoice choice, limpid::FrameSettings& frame)
 {
-  this->Legend.clear();
+  this->AssumeImportance(image, choice);
+  Importance importance;
+  std::string trouble; // error message about the importance
   try
   {
-    if (frame.structureColors > 0 && !labels.array)
+    importance = image->GetNumberOfPoints() > 0 ? this->ImportanceOf(image, choice) : Importance();
+    if (this->Ranks->IsAlone())
     {
-      this->Warn("StructureColors is " + std::to_string(frame.structureColors) +
-        " and no structure array is chosen (it has the labels of the structures): the colors of "
-        "the transfer function are shown. Choose StructureArray, or set StructureColors to 0.");
+      this->Data.UpdateImportance(image, importance.source, importance.functionTime);
     }
-    const bool used = frame.structureColors > 0 && labels.array;
-    if (used)
+  }
+  catch (const std::exception& error)
+  {
+    trouble = this->MessageOf(error);
+  }
+  if (this->AnyRank(!trouble.empty()))
+  {
+    this->LeaveImportance(
+      image, choice, trouble.empty() ? "Another process has no importance." : trouble, frame);
+  }
+  else if (!this->Ranks->IsAlone())
+  {
+    const bool labelled = this->AnyRank(importance.source.structures != nullptr);
+    if (labelled && !importance.source.structures)
     {
-      frame.colorsOfRows = limpid::ColorsOf(*labels.structures, this->LabelColors);
-      const std::string warning = limpid::WarningOf(*labels.structures, this->LabelColors);
-      warning.empty() ? void() : this->Warn(warning);
+      importance.source.structures =
+        std::make_shared<const limpid::Structures>(limpid::StructuresOf(this->Self->Settings));
     }
-    this->Data.UpdateStructures(
-      image, used ? labels : limpid::FieldSource(), this->Self->Settings->GetStructuresMTime());
-    if (used)
-    {
-      this->Legend = limpid::LegendOf(*labels.structures, frame.colorsOfRows);
-    }
+    this->Data.UpdateImportance(image, importance.source, importance.functionTime);
+  }
+  if (!importance.warning.empty() && (frame.optimize || frame.showMissed))
+  {
+    this->Warn(importance.warning);
+  }
+}
+
+// Draws without importance, and says why. Without optimisation, importance is used only for the
+// score, missed structures and colours of structures.
+void vtkTransmittanceVolumeMapper::Internals::LeaveImportance(vtkImageData* image,
+  const limpid::ImportanceChoice& choice, const std::string& reason, limpid::FrameSettings& frame)
+{
+  const bool losesColors = this->AnyRank(frame.structureColors > 0 && choice.labels.array);
+  std::string effects = frame.optimize ? " The volume is drawn without optimization."
+    : frame.showMissed                 ? " Missed structures are not painted."
+                                       : "";
+  effects += losesColors ? " The volume is drawn without colors of structures." : "";
+  if (!effects.empty())
+  {
+    this->Error(reason + effects);
+  }
+  this->Data.UpdateImportance(image, limpid::FieldSource(), 0);
+  frame.optimize = false;
+  frame.showMissed = false;
+  frame.structureColors = losesColors ? 0 : frame.structureColors;
+}
+
+// Finds the colours of structures. If there are none, the volume is drawn without.
+void vtkTransmittanceVolumeMapper::Internals::ChooseColors(limpid::FrameSettings& frame)
+{
+  this->Legend.clear();
+  if (frame.structureColors <= 0)
+  {
+    return;
+  }
+  const limpid::Structures* structures = this->Data.Labelled();
+  if (!structures)
+  {
+    this->Warn("StructureColors is " + std::to_string(frame.structureColors) +
+      " and no structure array is chosen (it has the labels of the structures): the colors of "
+      "the transfer function are shown. Choose StructureArray, or set StructureColors to 0.");
+    return;
+  }
+  try
+  {
+    frame.colorsOfRows = limpid::ColorsOf(*structures, this->LabelColors);
+    this->Legend = limpid::LegendOf(*structures, frame.colorsOfRows);
+    const std::string warning = limpid::WarningOf(*structures, this->LabelColors);
+    warning.empty() ? void() : this->Warn(warning);
   }
   catch (const std::exception& error)
   {
@@ -371,20 +427,6 @@ void vtkTransmittanceVolumeMapper::Internals::LeaveWhatIsNotShared(limpid::Frame
     this->Warn("ShowMissed is on and several processes share the image (this is not supported in "
                "distributed runs): missed structures are not shown. Run one process.");
     frame.showMissed = false;
-  }
-  const limpid::Structures* structures = this->Data.Labelled();
-  if (frame.optimize && structures && structures->HasTargets())
-  {
-    this->Warn("Structures have targets and several processes share the image (pictures do not aim "
-               "at them in distributed runs): the importances given are used. Use the Extinction "
-               "Optimizer, which aims at them.");
-  }
-  if (frame.structureColors > 0)
-  {
-    this->Warn("StructureColors is " + std::to_string(frame.structureColors) +
-      " and several processes share the image (this is not supported in distributed runs): the "
-      "colors of the transfer function are shown. Run one process.");
-    frame.structureColors = 0;
   }
   if (frame.sampleDistance > limpid::farthestShared)
   {

@@ -42,6 +42,7 @@ else:
     if TROUBLE == 'much' and isLast:
         importance[-1] = 7
     output.PointData.append(ball, 'Ball')
+    output.PointData.append((ball > 0.6).astype(np.uint8) + (ball > 0.2), 'Labels')
     if not (TROUBLE == 'missing' and isLast):
         output.PointData.append(importance, 'Importance')
     output.PointData.SetActiveScalars('Ball')
@@ -97,6 +98,25 @@ class TestDisplayOnRanks(unittest.TestCase):
         self.assertIn("Another process has no importance", self.display.Messages)
         self.assertEqual(self.display.VisibleFraction, 0)
         self.assertGreater(np.abs(picture - self.good).max(), 20)
+
+    def test_structures_are_measured_for_the_text(self):
+        self.display.StructureArray = ["POINTS", "Labels"]
+        self.display.Structures = ["1", "shell", "0.2", "", "2", "core", "1", ""]
+        self.display.ShowScore = 1
+        try:
+            shares = []
+            for trouble in ("", "empty"):
+                self.drawn(trouble)
+                self.display.UpdatePropertyInformation()
+                shares.append(list(self.display.StructureShares))
+                self.assertEqual(self.display.Messages, "")
+            self.assertEqual(len(shares[0]), 8)
+            self.assertGreater(np.min(shares[0]), 0)
+            self.assertEqual(*shares)
+        finally:
+            self.display.ShowScore = 0
+            self.display.StructureArray = ["POINTS", ""]
+            self.display.Structures = []
 
     def test_one_may_have_nothing(self):
         picture = self.drawn("empty")

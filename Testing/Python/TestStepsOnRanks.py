@@ -7,19 +7,13 @@ import sys
 import unittest
 
 import numpy as np
-from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkDoubleArray
 from vtkmodules.vtkCommonDataModel import vtkImageData
-from vtkmodules.vtkParallelCore import vtkCommunicator, vtkMultiProcessController
 
 from limpid.vtkLimpidRendering import vtkTransmittanceVolumeMapper as Mapper
 
 from mapper_tests import MapperTest, show
-from volume_views import BACKGROUND, actor_of, phantom, sphere
-
-CONTROLLER = vtkMultiProcessController.GetGlobalController()
-RANK = CONTROLLER.GetLocalProcessId()
-RANKS = CONTROLLER.GetNumberOfProcesses()
+from ranks import RANK, RANKS, together
+from volume_views import actor_of, phantom, sphere
 
 
 def show_piece(**properties):
@@ -30,15 +24,6 @@ def show_piece(**properties):
     last = whole.GetDimensions()[2] - 1
     piece.Crop(whole.GetExtent()[:4] + (last * RANK // RANKS, last * (RANK + 1) // RANKS))
     return show(piece, SharesImage=1, WholeExtent=whole.GetExtent(), **properties)
-
-
-def together(view):
-    """What the windows of all processes show, each its own pixels over the background; rendered."""
-    background = np.round(255 * np.array(BACKGROUND))
-    own = view.picture() - background
-    total = vtkDoubleArray()
-    CONTROLLER.AllReduce(numpy_to_vtk(own.ravel(), deep=1), total, vtkCommunicator.SUM_OP)
-    return vtk_to_numpy(total).reshape(own.shape) + background
 
 
 class TestStepsOnRanks(MapperTest):

@@ -1,0 +1,27 @@
+# SPDX-FileCopyrightText: Copyright (c) Limpid developers
+# SPDX-License-Identifier: BSD-3-Clause
+
+# What tests share that run in several processes at once.
+
+import numpy as np
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkDoubleArray
+from vtkmodules.vtkParallelCore import vtkCommunicator, vtkMultiProcessController
+
+from volume_views import BACKGROUND
+
+CONTROLLER = vtkMultiProcessController.GetGlobalController()
+RANK = CONTROLLER.GetLocalProcessId()
+RANKS = CONTROLLER.GetNumberOfProcesses()
+
+
+def sum_of_all(values):
+    total = vtkDoubleArray()
+    CONTROLLER.AllReduce(numpy_to_vtk(values.ravel(), deep=1), total, vtkCommunicator.SUM_OP)
+    return vtk_to_numpy(total).reshape(values.shape)
+
+
+def together(view):
+    """What the windows of all processes show, each its own pixels over the background; rendered."""
+    background = np.round(255 * np.array(BACKGROUND))
+    return sum_of_all(view.picture() - background) + background
