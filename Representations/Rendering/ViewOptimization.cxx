@@ -120,14 +120,16 @@ bool ViewOptimization::IsComplete() const
   return this->Optimizer->Converged() && (this->IsBaseView || !this->Targets.AreOpen());
 }
 
-// Judges a complete result by the targets of structures. Returns whether the optimisation begins
+// Judges a complete result by the targets of structures, in the mean of all cameras. Opaque
+// geometry counts for a single camera, that of the frame. Returns whether the optimisation begins
 // again, with other importances; the result stays shown until there is a new one.
 bool ViewOptimization::TriesOtherImportances(const VolumeData& data,
   const std::optional<OpaqueGeometry>& opaque, const std::function<bool()>& isAborted)
 {
   const Interruptible interruptible([&isAborted]() { return !isAborted(); });
-  if (!this->Targets.Judge(this->Optimizer->SharesFrom(this->ViewCameras.front(), *data.Labelled(),
-        data.StructureRows(), this->Optimizer->Extinction(), opaque ? &*opaque : nullptr)))
+  const bool ends = opaque && this->ViewCameras.size() == 1;
+  if (!this->Targets.Judge(this->Optimizer->SharesFrom(this->ViewCameras, *data.Labelled(),
+        data.StructureRows(), this->Optimizer->Extinction(), ends ? &*opaque : nullptr)))
   {
     return false;
   }
@@ -363,9 +365,9 @@ void ViewOptimization::MeasureStructures(
   try
   {
     const Structures* tried = this->Targets.Tried();
-    known->shares = this->Optimizer->SharesFrom(look.camera, tried ? *tried : *data.Labelled(),
+    known->shares = this->Optimizer->SharesFrom({ look.camera }, tried ? *tried : *data.Labelled(),
       data.StructureRows(), seen, look.opaque ? &*look.opaque : nullptr);
-    if (!this->IsBaseView && AreSame(look.camera, this->ViewCameras.front()))
+    if (!this->IsBaseView && AreSame(std::vector<Camera>{ look.camera }, this->ViewCameras))
     {
       this->Targets.RaiseCeilings(known->shares);
     }

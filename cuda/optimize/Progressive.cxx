@@ -541,7 +541,7 @@ StructureShares AsSharesOfAll(const StructureShares& inFront, const StructureSha
 }
 }
 
-std::vector<StructureShares> Progressive::SharesFrom(const Camera& camera,
+std::vector<StructureShares> Progressive::SharesFrom(const std::vector<Camera>& cameras,
   const Structures& structures, const StructureRow* rows, const float* extinction,
   const OpaqueGeometry* opaque) const
 {
@@ -550,12 +550,11 @@ std::vector<StructureShares> Progressive::SharesFrom(const Camera& camera,
   {
     return {};
   }
-  Settings settings = state.settings;
-  settings.otherCameras.clear();
+  const Settings settings = ForCameras(state.settings, cameras);
   const auto sharesOf = [&](const StructureRow* present)
   {
     return SharesOfStructures(
-      *state.scene, camera, state.light, settings, structures, present, extinction);
+      *state.scene, cameras.front(), state.light, settings, structures, present, extinction);
   };
   std::vector<StructureShares> shares = sharesOf(rows);
   if (opaque)

@@ -111,12 +111,12 @@ public:
   /// method without iterations. `opaque`: as in ScoresFrom.
   Ceiling CeilingFrom(const Camera& camera, const OpaqueGeometry* opaque = nullptr) const;
 
-  /// Returns what a camera sees of each structure, see SharesOfStructures. `rows`: row of the
-  /// structure of each node; `extinction`: BaseExtinction() or Extinction(). `opaque`: as in
+  /// Returns what cameras see of each structure in the mean, see SharesOfStructures. `rows`: row of
+  /// the structure of each node; `extinction`: BaseExtinction() or Extinction(). `opaque`: as in
   /// ScoresFrom, but shares are of all that the data have. Empty while a preview is shown, which
-  /// has other nodes. Not in distributed runs.
-  std::vector<StructureShares> SharesFrom(const Camera& camera, const Structures& structures,
-    const StructureRow* rows, const float* extinction,
+  /// has other nodes. Collective.
+  std::vector<StructureShares> SharesFrom(const std::vector<Camera>& cameras,
+    const Structures& structures, const StructureRow* rows, const float* extinction,
     const OpaqueGeometry* opaque = nullptr) const;
 
   int Iterations() const; ///< at full resolution, for the current view
