@@ -453,6 +453,25 @@ class TestSharesOfMapper(MapperTest):
         self.assertGreaterEqual(columns["Visible"].GetTuple1(0), wanted - 0.001)
         self.assert_fine(view)
 
+    def test_reach_targets_in_the_mean_of_several_views(self):
+        settings = {"ProtectImportance": 0, "Views": 1, "EyeAngle": 60}
+        view, mapper = self.show(**settings)
+        free = self.filtered(view, **settings)
+        wanted = 0.7 * free["Visible"].GetTuple1(0) + 0.3 * free["Attainable"].GetTuple1(0)
+        structures = ((*LAYERS[0], wanted), *LAYERS[1:])
+        mapper.RemoveAllStructures()
+        for structure in structures:
+            mapper.AddStructure(*structure)
+        view.picture()
+
+        self.assertTrue(mapper.GetConverged())
+        found = self.filtered(view, structures, **settings)
+        self.assertGreaterEqual(found["Visible"].GetTuple1(0), wanted - 0.001)
+        np.testing.assert_array_equal(
+            vtk_to_numpy(columns_of(mapper.GetStructureTable())["Weight"]),
+            vtk_to_numpy(found["Weight"]))
+        self.assert_fine(view)
+
     def test_say_which_targets_are_not_met(self):
         view, mapper = self.show()
         mapper.AddStructure(99, "nowhere", 1.0, 0.5)
@@ -463,10 +482,11 @@ class TestSharesOfMapper(MapperTest):
         mapper.AddStructure(label, name, importance, 1.0)
         self.assert_says(view, f'No opacity shows as much of "{name}" from here')
 
-    def filtered(self, view):
+    def filtered(self, view, structures=LAYERS, **properties):
         """The table of the filter for the camera of a view."""
         camera = view.renderer.GetActiveCamera()
-        result = optimizer(layered_phantom(), *LAYERS, **self.SETTINGS, AutomaticPlacement=0,
+        result = optimizer(layered_phantom(), *structures, **self.SETTINGS, **properties,
+                           AutomaticPlacement=0,
                            CameraPosition=camera.GetPosition(),
                            CameraFocalPoint=camera.GetFocalPoint(),
                            CameraViewUp=camera.GetViewUp(), CameraViewAngle=camera.GetViewAngle(),
