@@ -214,35 +214,47 @@ struct LightOfPieces
   }
 };
 
-/// What is left of a lit segment to compute its effect, when what is behind is known.
+/**
+ * The effect of the segments of a layer, front to back, before it is known what is seen behind the
+ * layer. A segment attenuates whatever is seen behind it. So the visible importance of a segment
+ * adds to the effect of all segments in front of it, with the sum of their weights:
+ *
+ *    sum over k of c_k S_k = sum over j of v_j sum over k < j of c_k,
+ *
+ * where v_j is visible in segment j and S_k = sum over j > k of v_j behind segment k. Unlike S_k as
+ * the difference of two sums, no term cancels another one.
+ */
 template <class Number>
-struct EffectOfPiece
+struct EffectOfPieces
 {
-  Number visible;
-  Number depthSlope;
-  Number tiltSlope;
-  Number place;
-  Number size; ///< 0 if nothing is to be added
+  LayerEffectOf<Number> found{ 0.0f, 0.0f };
+  LayerEffectOf<Number> weight{ 0.0f, 0.0f }; ///< effect per visible importance behind [index]
 
-  /// `transmittance`: in front of the segment.
-  LIMPID_HD LIMPID_INLINE static EffectOfPiece Of(
-    const RayPieceOf<Number>& piece, const Number& transmittance)
+  /// Adds the next segment, if light reaches it. `transmittance`: in front of it.
+  template <class Condition>
+  LIMPID_HD LIMPID_INLINE void Add(const RayPieceOf<Number>& piece, const Number& transmittance,
+    const Condition& isLit, float thickness)
   {
-    return { transmittance * piece.Visible(), transmittance * piece.VisibleSlope(),
-      transmittance * piece.TiltSlope(), piece.place, piece.size };
+    const Number unit = Select(isLit, thickness * piece.size, 0.0f);
+    const Number arriving = Select(isLit, transmittance, 0.0f);
+    const Number ofFront = (1.0f - piece.place) * unit;
+    const Number ofBack = piece.place * unit;
+    const Number visible = arriving * piece.Visible();
+    const Number ofDepth = arriving * piece.VisibleSlope();
+    const Number ofTilt = piece.size * (1.0f / 12) * unit * (arriving * piece.TiltSlope());
+    this->found.front =
+      this->found.front + (visible * this->weight.front - ofFront * ofDepth + ofTilt);
+    this->found.back = this->found.back + (visible * this->weight.back - ofBack * ofDepth - ofTilt);
+    this->weight.front = this->weight.front + ofFront;
+    this->weight.back = this->weight.back + ofBack;
   }
 
-  /// Adds the effect of the segment. `seen`: what is seen from its front on; afterwards, from its
-  /// back on.
-  LIMPID_HD LIMPID_INLINE void AddTo(
-    LayerEffectOf<Number>& effect, Number& seen, float thickness) const
+  /// Returns the effect. `seen`: visible importance behind the last segment, for T = 1 at the
+  /// front.
+  LIMPID_HD LIMPID_INLINE LayerEffectOf<Number> With(const Number& seen) const
   {
-    seen = seen - this->visible;
-    const Number unit = thickness * this->size;
-    const Number ofDepth = unit * (seen - this->depthSlope);
-    const Number ofTilt = this->size * (-1.0f / 12) * unit * this->tiltSlope;
-    effect.front = effect.front + ((1.0f - this->place) * ofDepth - ofTilt);
-    effect.back = effect.back + (this->place * ofDepth + ofTilt);
+    return { this->found.front + seen * this->weight.front,
+      this->found.back + seen * this->weight.back };
   }
 };
 }

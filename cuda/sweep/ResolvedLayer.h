@@ -259,20 +259,12 @@ struct ResolvedRay
   /// Light and effects. `behind`: visible importance at the back of the part inside the box.
   LIMPID_HD LIMPID_INLINE LayerLight Light(float behind, LayerEffect& effect) const
   {
-    EffectOfPiece<float> met[mostPartsOfLayer * piecesOfPart];
-    int count = 0;
-    const LightOfPieces<float> pieces = this->PassPieces(
-      [&](const RayPiece& piece, float transmittance)
-      {
-        met[count] = EffectOfPiece<float>::Of(piece, transmittance);
-        ++count;
-      });
-    float seen = behind * pieces.transmittance + pieces.visible; // from the current segment on
-    effect = { 0, 0 };
-    for (int number = 0; number < count; ++number)
-    {
-      met[number].AddTo(effect, seen, this->plain.layer.thickness);
-    }
+    EffectOfPieces<float> effects;
+    const float thickness = this->plain.layer.thickness;
+    const LightOfPieces<float> pieces =
+      this->PassPieces([&](const RayPiece& piece, float transmittance)
+        { effects.Add(piece, transmittance, true, thickness); });
+    effect = effects.With(behind * pieces.transmittance);
     return this->LightOfAll(pieces);
   }
 
@@ -284,9 +276,13 @@ private:
   template <class Order, class Visit>
   LIMPID_HD LIMPID_INLINE void ForPiecesInOrder(const Order& order, const Visit& visit) const
   {
-    constexpr Range<float> none{ 1.0f, 1.0f };
-    const Stretches stretches(
-      this->plain.Inside(), Cuts::atFaces ? this->sampler.FacesCrossed(this->column) : none);
+    const Range<float> inside = this->plain.Inside();
+    if constexpr (!Cuts::atFaces)
+    {
+      this->VisitPieces(inside, order, visit);
+      return;
+    }
+    const Stretches stretches(inside, this->sampler.FacesCrossed(this->column));
     for (int number = 0; number < stretches.count; ++number)
     {
       if (!this->VisitPieces(stretches.At(order(number, stretches.count)), order, visit))
@@ -379,12 +375,11 @@ LIMPID_HD LIMPID_INLINE void StepResolved(const RayInLayer<LayerCrossing::Clippe
 {
   using Cuts = typename Resolve::Cuts;
   const bool inside = ray.StaysInside();
-  if ((inside && !resolve.Reaches(i)) || ray.StaysOutside())
+  MostInLayer most{ 0.0f, 0.0f };
+  if ((!inside || resolve.Reaches(i)) && !ray.StaysOutside())
   {
-    plain(i);
-    return;
+    most = MostOf<Cuts>(ray, sampler, fields, column);
   }
-  const MostInLayer most = MostOf<Cuts>(ray, sampler, fields, column);
   const float densest = resolve.Densest(most.extinction);
   const bool thick = densest * ray.layer.thickness * ray.length > Cuts::thick;
   if (most.importance > 0.0f && (!inside || thick))

@@ -324,39 +324,15 @@ private:
   }
 };
 
-/// What is left of lit segments to compute their effects, front to back.
-struct EffectsInLanes
+LIMPID_INLINE void TakeEffects(const LayerEffectOf<FloatLanes>& effects, RaysInLanes& lanes)
 {
-  EffectOfPiece<FloatLanes> met[mostPartsOfLayer * piecesOfPart];
-  int count = 0;
-
-  LIMPID_INLINE void Add(
-    const RayPieceOf<FloatLanes>& piece, const FloatLanes& transmittance, const IntLanes& isLit)
+  const InMemory<float> front(effects.front);
+  const InMemory<float> back(effects.back);
+  for (int lane = 0; lane < lanes.count; ++lane)
   {
-    const EffectOfPiece<FloatLanes> of = EffectOfPiece<FloatLanes>::Of(piece, transmittance);
-    this->met[this->count] = { Select(isLit, of.visible, 0.0f), Select(isLit, of.depthSlope, 0.0f),
-      Select(isLit, of.tiltSlope, 0.0f), of.place, Select(isLit, of.size, 0.0f) };
-    ++this->count;
+    lanes.effect[lane] = { front.of[lane], back.of[lane] };
   }
-
-  LIMPID_INLINE void Sum(
-    const LightOfPieces<FloatLanes>& light, float thickness, RaysInLanes& lanes) const
-  {
-    FloatLanes seen =
-      FloatLanes::Load(lanes.behind) * light.transmittance + light.visible; // from here on
-    LayerEffectOf<FloatLanes> effect{ 0.0f, 0.0f };
-    for (int number = 0; number < this->count; ++number)
-    {
-      this->met[number].AddTo(effect, seen, thickness);
-    }
-    const InMemory<float> front(effect.front);
-    const InMemory<float> back(effect.back);
-    for (int lane = 0; lane < lanes.count; ++lane)
-    {
-      lanes.effect[lane] = { front.of[lane], back.of[lane] };
-    }
-  }
-};
+}
 
 template <class Cuts>
 LIMPID_INLINE void TakeLight(
@@ -393,7 +369,7 @@ void RowBetweenSlices::FindLight(RaysInLanes& lanes) const
       const PartsInLanes<Cuts> parts(*this, halves, lanes);
       const Layer here = this->rays.layer;
       LightOfPieces<FloatLanes> light;
-      EffectsInLanes found;
+      EffectOfPieces<FloatLanes> found;
       for (int number = 0; number < parts.count; ++number)
       {
         const IntLanes there = parts.Has(number);
@@ -409,14 +385,15 @@ void RowBetweenSlices::FindLight(RaysInLanes& lanes) const
           const RayPieceOf<FloatLanes> piece = part.Piece(here, at);
           if (effects == Effects::Found)
           {
-            found.Add(piece, light.transmittance, And(there, light.IsLit()));
+            found.Add(piece, light.transmittance, And(there, light.IsLit()), here.thickness);
           }
           light.Add(piece, there);
         }
       }
       if (effects == Effects::Found)
       {
-        found.Sum(light, here.thickness, lanes);
+        const FloatLanes behind = FloatLanes::Load(lanes.behind);
+        TakeEffects(found.With(behind * light.transmittance), lanes);
       }
       TakeLight<Cuts>(halves, light, lanes);
     });
