@@ -12,7 +12,9 @@ import time
 
 REGISTERS = 65536  # of a multiprocessor of sm_90, given to warps in blocks of 8 per thread
 MOST_THREADS = 2048
-SWEEPS = {"BackwardTiles": "the policy's sweep", "SweptSlabs": "the derivative's sweep",
+SWEEPS = {"BackwardTiles": "the policy's sweep",
+          "KeptE1E": "the derivative's sweep that counts scores, too",
+          "SweptSlabs": "the derivative's sweep",
           "DrawnPixelILNS_11CompositingE0ELb1ELb1E": "a picture's ray, lit, with the overlay"}
 KINDS = {"loads": ("LDG",), "stores": ("STG",),
          "generic": ("LD", "ST"),  # of memory that the compiler does not know the kind of

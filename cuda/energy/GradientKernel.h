@@ -46,7 +46,7 @@ struct GradientStep
  * Deviation D1: rays carry the weight t'^2 / t^2 of widening rays, so that this is the derivative
  * of the volume integral, unless Derivative::Ray is used.
  */
-template <class Input, class Output>
+template <class Input, class Output, Kept kept>
 struct GradientKernel
 {
   static constexpr const char* label = "derivative";
@@ -55,13 +55,13 @@ struct GradientKernel
   Input extinction;     ///< [1/length]
   Input importance;     ///< [0, 1]
   Input nodeImportance; ///< see NodeImportance.h [0, 1]
-  Input base;           ///< [1/length]; null if kept base extinction is not counted
+  Input base;           ///< [1/length]; null for Kept::Ignored
   Output gradient;
   GradientTarget target;
   bool areaWeighted; ///< whether rays carry the weight of Deviation D1
 
   template <class Windows>
-  GradientKernel<SliceWindow*, SliceWindow*> With(Windows& windows) const
+  GradientKernel<SliceWindow*, SliceWindow*, kept> With(Windows& windows) const
   {
     const FieldUse read{ 0, false, true, 1 };
     return { windows(this->extinction, read), windows(this->importance, read),
@@ -74,7 +74,7 @@ struct GradientKernel
   template <class Visit>
   LIMPID_HD LIMPID_INLINE void ForCarried(const Visit& visit) const
   {
-    if (this->base)
+    if (kept == Kept::Counted)
     {
       ForKept(visit);
     }
@@ -125,15 +125,12 @@ private:
     rays.SampleImportance(this->importance);
     rays.ForEachInLayer(UnwindStep{ rays.States() });
     const RayFields<typename Rays::Field> fields{ this->extinction, this->importance, this->base };
-    if (!this->base)
+    if (kept == Kept::Counted)
     {
-      rays.ForEachResolved(fields, ResolveLit<>{ rays.States()[RayDepth::ToSlice] },
-        EffectStep<Kept::Ignored>{ rays.States() });
-      return;
+      rays.SampleKept(this->extinction, this->base);
     }
-    rays.SampleKept(this->extinction, this->base);
-    rays.ForEachResolved(fields, ResolveLit<>{ rays.States()[RayDepth::ToSlice] },
-      EffectStep<Kept::Counted>{ rays.States() });
+    rays.ForEachResolved(
+      fields, ResolveLit<>{ rays.States()[RayDepth::ToSlice] }, EffectStep<kept>{ rays.States() });
   }
 };
 }

@@ -115,9 +115,25 @@ template <class AnyDevice>
 void VisibilityTerm<AnyDevice>::SweepGradient(FrustumRays<AnyDevice>& rays,
   const TermFields& fields, Derivative derivative, const GradientTarget& target, float* gradient)
 {
-  const bool areaWeighted = derivative == Derivative::Volume;
-  const GradientKernel<const float*, float*> kernel{ fields.extinction, fields.importance,
-    fields.nodeImportance, areaWeighted ? fields.base : nullptr, gradient, target, areaWeighted };
+  // Without the weight of widening rays, they do not carry the score.
+  if (derivative == Derivative::Volume && fields.CountsKept() == Kept::Counted)
+  {
+    this->SweepGradientAs<Kept::Counted>(rays, fields, derivative, target, gradient);
+  }
+  else
+  {
+    this->SweepGradientAs<Kept::Ignored>(rays, fields, derivative, target, gradient);
+  }
+}
+
+template <class AnyDevice>
+template <Kept kept>
+void VisibilityTerm<AnyDevice>::SweepGradientAs(FrustumRays<AnyDevice>& rays,
+  const TermFields& fields, Derivative derivative, const GradientTarget& target, float* gradient)
+{
+  const GradientKernel<const float*, float*, kept> kernel{ fields.extinction, fields.importance,
+    fields.nodeImportance, kept == Kept::Counted ? fields.base : nullptr, gradient, target,
+    derivative == Derivative::Volume };
   SweepBackward(*this->Device, rays, *this->Filled, kernel);
 }
 

@@ -94,6 +94,10 @@ private:
   void SweepGradient(FrustumRays<AnyDevice>& rays, const TermFields& fields, Derivative derivative,
     const GradientTarget& target, float* gradient);
 
+  template <Kept kept>
+  void SweepGradientAs(FrustumRays<AnyDevice>& rays, const TermFields& fields,
+    Derivative derivative, const GradientTarget& target, float* gradient);
+
   std::shared_ptr<AnyDevice> Device;
   const Occupancy* Filled;
   std::vector<FrustumRays<AnyDevice>> Rays;

@@ -117,7 +117,10 @@ template <class Way, class Kernel>
 struct SweptSlabs
 {
   static constexpr int tileThreads = RayTiles::size.columns * RayTiles::size.rows;
-  static constexpr int residentThreads = 768; ///< per multiprocessor: 80 registers for each
+
+  /// Per multiprocessor. Rays with effects resolve thick layers, for which 128 registers suffice;
+  /// others have 80.
+  static constexpr int residentThreads = Kernel::readByVoxels == RayChannel::Effect ? 512 : 768;
 
   SlabLayout<typename Way::Slabs> layout;
   RayStates states;

@@ -14,7 +14,7 @@
 namespace limpid::counted
 {
 using OfPolicy = PolicyKernel<const float*, float*>;
-using OfDerivative = GradientKernel<const float*, float*>;
+using OfDerivative = GradientKernel<const float*, float*, Kept::Ignored>;
 
 __device__ OfPolicy Usual(OfPolicy kernel)
 {
@@ -28,7 +28,6 @@ __device__ OfPolicy Usual(OfPolicy kernel)
 __device__ OfDerivative Usual(OfDerivative kernel)
 {
   kernel.areaWeighted = true;
-  kernel.base = nullptr;
   return kernel;
 }
 
@@ -128,6 +127,10 @@ namespace limpid::detail
 {
 using PolicySweep = BackwardTiles<counted::OfPolicy>;
 using DerivativeSweep = SweptSlabs<BackToFront, counted::OfDerivative>;
+using DerivativeSweepWithScore =
+  SweptSlabs<BackToFront, GradientKernel<const float*, float*, Kept::Counted>>;
 template __global__ void VisitTiles<PolicySweep>(int, const __grid_constant__ PolicySweep);
 template __global__ void VisitTiles<DerivativeSweep>(int, const __grid_constant__ DerivativeSweep);
+template __global__ void VisitTiles<DerivativeSweepWithScore>(
+  int, const __grid_constant__ DerivativeSweepWithScore);
 }
