@@ -16,6 +16,7 @@ SWEEPS = {"BackwardTiles": "the policy's sweep",
           "KeptE1E": "the derivative's sweep that counts scores, too",
           "SweptSlabs": "the derivative's sweep",
           "DrawnPixelILNS_11CompositingE0ELb1ELb1E": "a picture's ray, lit, with the overlay"}
+WAIT = "LD.E.STRONG.GPU"  # how all threads of a launch wait for each other
 KINDS = {"loads": ("LDG",), "stores": ("STG",),
          "generic": ("LD", "ST"),  # of memory that the compiler does not know the kind of
          "spilled": ("LDL", "STL"), "branches": ("BRA",),
@@ -57,7 +58,8 @@ def kernel(name, codes, used):
     row = {"kernel": sweep or name, "instructions": len(codes), "registers": registers,
            "stack": stack}
     for kind, starts in KINDS.items():
-        row[kind] = sum(code.split(".")[0] in starts for code in codes)
+        row[kind] = sum(code.split(".")[0] in starts and not code.startswith(WAIT)
+                        for code in codes)
     row["threads"] = min(MOST_THREADS, REGISTERS // (32 * (-(-registers // 8) * 8)) * 32)
     return row
 
@@ -66,6 +68,8 @@ def main():
     folder, output = sys.argv[1:]
     with open(os.path.join(folder, "launches.json"), encoding="utf-8") as file:
         scene = json.load(file)["scenes"][0]
+    with open(os.path.join(folder, "tiles.json"), encoding="utf-8") as file:
+        tiles = json.load(file)["scenes"]
     codes = instructions(os.path.join(folder, "counted.sass"))
     used = usage(os.path.join(folder, "registers.txt"))
     version = subprocess.run(["nvcc", "--version"], check=True, stdout=subprocess.PIPE, text=True)
@@ -73,7 +77,8 @@ def main():
         "date": time.strftime("%Y-%m-%d"), "scene": scene["scene"], "nodes": scene["nodes"],
         "compiler": re.search(r"release [\d.]+", version.stdout).group(),
         "iteration": counts(scene["policy"]["parts"]), "frame": counts(scene["frame"]["parts"]),
-        "iterations": scene["frame"]["iterations"],
+        "iterations": scene["frame"]["iterations"], "plan": scene["plan"]["seconds"],
+        "tiles": tiles,
         "kernels": sorted((kernel(name, codes[name], used[name]) for name in codes
                            if not name.startswith("_Z") or any(part in name for part in SWEEPS)),
                           key=lambda row: row["kernel"])}

@@ -3,11 +3,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
 
 # Without a GPU: counts what a GPU would have to do, and makes Counts.json and Counts.md.
-#   bash Testing/Gpu/count.sh [--build FOLDER] [--output FOLDER]
+#   bash Testing/Gpu/count.sh [--build FOLDER] [--output FOLDER] [--data FOLDER]
 # Launches, waits of all threads for each other, and bytes between host and device come from the
 # processor in the role of a GPU; instructions, loads and registers from the compiler's output.
 # FOLDERs: with limpid_bench_pretended_gpu (build; bash Testing/build.sh --tests), for the page
-# (Documentation/Benchmarks). Needs nvcc and cuobjdump, which comes with the CUDA toolkit or with
+# (Documentation/Benchmarks), with real scenes (LIMPID_TEST_DATA; without, their tiles are not
+# counted). Needs nvcc and cuobjdump, which comes with the CUDA toolkit or with
 # pip's nvidia-cuda-cuobjdump and nvidia-cuda-nvdisasm, on PATH. Builds nothing else. Takes a minute.
 
 set -euo pipefail
@@ -16,11 +17,13 @@ root="$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)"
 here="$root/Testing/Gpu"
 build="$root/build"
 output="$root/Documentation/Benchmarks"
+data="${LIMPID_TEST_DATA:-$root/../shared/data}"
 while (($# > 0)); do
   case "$1" in
     --build) build="${2:?--build needs a folder}"; shift ;;
     --output) output="${2:?--output needs a folder}"; shift ;;
-    *) echo "The argument $1 is not understood. Give --build or --output FOLDER." >&2; exit 1 ;;
+    --data) data="${2:?--data needs a folder}"; shift ;;
+    *) echo "The argument $1 is not understood. Give --build, --output or --data FOLDER." >&2; exit 1 ;;
   esac
   shift
 done
@@ -45,7 +48,11 @@ done
 parts="$build/benchmarks/gpu-counts"
 mkdir -p "$parts" "$output"
 echo "== launches"
-"$program" --quick --sizes 64 --scenes onion --output "$parts/launches.json"
+"$program" --quick --sizes 256 --scenes onion --parts policy,frame,set-up --output "$parts/launches.json"
+echo "== tiles"
+scenes="$(printf '%s\n' "$data"/*.scene.json | paste -sd,)"
+[[ -f "${scenes%%,*}" ]] || scenes=""
+"$build/bin/limpid_count_tiles" --files "$scenes" --output "$parts/tiles.json"
 echo "== instructions"
 : > "$parts/counted.sass"
 : > "$parts/registers.txt"

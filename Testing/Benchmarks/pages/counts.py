@@ -23,6 +23,15 @@ def copy_table(parts, heading):
         ("bytes", lambda p: fixed(p["copied"]))])
 
 
+def tiles_table(scenes):
+    sweeps = ("policy sweep", "derivative", "transmittance")
+    return table(scenes, [
+        ("scene", lambda s: s["scene"]), ("points", lambda s: " × ".join(map(str, s["nodes"]))),
+        *((sweep, lambda s, sweep=sweep: f"{s[sweep]['active'] / s[sweep]['visited']:.3f} of "
+           f"{s[sweep]['visited']:.0f} ({s[sweep]['all']:.0f})") for sweep in sweeps),
+        ("shadows write [GB]", lambda s: f"{s['shadows_written'] / 1e9:.2f}")])
+
+
 def page(measured):
     slices = measured["nodes"]
     return f"""# Counts
@@ -46,8 +55,17 @@ begins with optical depths.
 ## A frame of the display
 
 After the camera has moved: {plural(measured['iterations'], 'iteration')}, shadows, and a picture
-of 64 × 64 pixels (16 384 bytes). What goes to the device are the plans of the rays.
+of 64 × 64 pixels (16 384 bytes). What goes to the device are the plans of the rays: those of camera and
+light take {1e3 * measured['plan']:.1f} ms on this machine's processor.
 {launch_table(measured['frame'], 'launch')}{copy_table(measured['frame'], 'copy')}
+## Tiles
+
+Share of the visited tiles of rays and voxels that have something to do, of how many are visited (and
+how many there are); for the original extinction. *Policy sweep*: from the camera. *Derivative*:
+from the light. *Transmittance*: shadows, whose plan counts everything as filled so that it stays
+valid while the extinction changes; their tiles of voxels have something to do where anything dims
+them. *Shadows write*: bytes to memory or cache, values of rays between slabs among them.
+{tiles_table(measured['tiles'])}
 ## A ray on a slice, a voxel
 
 Kernels of one ray step or one voxel each, with the policy's usual settings: scores counted, nothing
@@ -56,8 +74,8 @@ from the sides of the box. Else **all paths together**, of which none takes all:
 leave in the layer and rays that cross it, voxels near the sides and voxels inside. *Threads*: how
 many a multiprocessor holds with so many registers; *stack*: bytes of memory of a thread's own, into
 which the compiler moves what finds no register; *spilled*: instructions that do so, or fetch it back;
-*generic*: loads and stores of memory that the compiler does not know the kind of; the one of each
-sweep is the wait's own.
+*generic*: loads and stores of memory that the compiler does not know the kind of, without the one
+with which all threads wait for each other.
 """ + table(measured["kernels"], [
         ("kernel", lambda k: k["kernel"]), ("instructions", lambda k: k["instructions"]),
         *((kind, lambda k, kind=kind: k[kind])
