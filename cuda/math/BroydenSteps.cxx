@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <utility>
 
 namespace limpid
@@ -74,41 +73,90 @@ void BroydenSteps::Learn(const std::vector<double>& place, const std::vector<dou
   this->LastValues = values;
 }
 
-std::vector<double> BroydenSteps::StepFrom(
-  const std::vector<double>& place, const std::vector<double>& values, double longest)
+/// Returns an element of the derivative. Where a variable has had no effect on its own value, as
+/// far as was learned, a longer step may have one.
+double BroydenSteps::SlopeOf(std::size_t value, std::size_t variable) const
 {
-  this->Learn(place, values);
+  constexpr double leastOwn = 0.1;
+  const double slope = this->Derivative[value][variable];
+  return value == variable ? std::max(slope, leastOwn) : slope;
+}
+
+/// Returns the components of the step for the free variables, by the values of these alone. `step`:
+/// that of the other variables, and 0 for the free ones.
+std::vector<double> BroydenSteps::FreeStep(const std::vector<std::size_t>& free,
+  const std::vector<double>& values, const std::vector<double>& step) const
+{
   constexpr double damping = 0.02; // of the mean square of a variable's effects
-  const std::size_t count = place.size();
+  Matrix slopes;
+  std::vector<double> rest; // values after the step of the others
   double squares = 0;
-  for (const std::vector<double>& row : this->Derivative)
+  for (const std::size_t i : free)
   {
-    squares += std::inner_product(row.begin(), row.end(), row.begin(), 0.0);
+    slopes.emplace_back();
+    rest.push_back(values[i]);
+    for (std::size_t j = 0; j < step.size(); ++j)
+    {
+      rest.back() += this->SlopeOf(i, j) * step[j];
+    }
+    for (const std::size_t j : free)
+    {
+      slopes.back().push_back(this->SlopeOf(i, j));
+      squares += slopes.back().back() * slopes.back().back();
+    }
   }
+  const std::size_t count = free.size();
   Matrix matrix(count, std::vector<double>(count, 0.0));
   std::vector<double> right(count, 0.0);
   for (std::size_t i = 0; i < count; ++i)
   {
-    constexpr double least = 1e-6; // without any effect
-    matrix[i][i] = std::max(damping * squares / double(count), least);
+    matrix[i][i] = damping * squares / double(count);
     for (std::size_t k = 0; k < count; ++k)
     {
       for (std::size_t j = 0; j < count; ++j)
       {
-        matrix[i][j] += this->Derivative[k][i] * this->Derivative[k][j];
+        matrix[i][j] += slopes[k][i] * slopes[k][j];
       }
-      right[i] -= this->Derivative[k][i] * values[k];
+      right[i] -= slopes[k][i] * rest[k];
     }
   }
-  std::vector<double> step = Solved(std::move(matrix), std::move(right));
-  double largest = longest;
-  for (const double component : step)
+  return Solved(std::move(matrix), std::move(right));
+}
+
+/// A variable that reaches a limit stays there, and its value no longer counts: the others cannot
+/// do its part. Without this, one that has no effect would leave no step to the others.
+std::vector<double> BroydenSteps::StepFrom(
+  const std::vector<double>& place, const std::vector<double>& values, const Limits& limits)
+{
+  this->Learn(place, values);
+  std::vector<double> step(place.size(), 0.0);
+  std::vector<std::size_t> free;
+  for (std::size_t i = 0; i < place.size(); ++i)
   {
-    largest = std::max(largest, std::abs(component));
+    if (values[i] < 0 || place[i] > limits.least)
+    {
+      free.push_back(i);
+    }
   }
-  for (double& component : step)
+  for (bool isLimited = true; isLimited;)
   {
-    component *= longest / largest;
+    for (const std::size_t i : free)
+    {
+      step[i] = 0;
+    }
+    const std::vector<double> found = this->FreeStep(free, values, step);
+    std::vector<std::size_t> within;
+    for (std::size_t i = 0; i < free.size(); ++i)
+    {
+      const double least = std::max(-limits.longest, limits.least - place[free[i]]);
+      step[free[i]] = std::clamp(found[i], least, limits.longest);
+      if (step[free[i]] == found[i])
+      {
+        within.push_back(free[i]);
+      }
+    }
+    isLimited = within.size() < free.size();
+    free = std::move(within);
   }
   return step;
 }

@@ -225,7 +225,7 @@ void TargetSearch::GoToBest()
 void TargetSearch::Ascend(const std::vector<StructureShares>& shares)
 {
   constexpr double leastImportance = 0.01; // importances are multiplied
-  constexpr double longestStep = 1.6;
+  const BroydenSteps::Limits limits{ std::log(leastImportance), 1.6 };
   std::vector<double> logs;
   std::vector<double> excesses;
   for (const Aim& aim : this->Aims)
@@ -233,7 +233,7 @@ void TargetSearch::Ascend(const std::vector<StructureShares>& shares)
     logs.push_back(std::log(std::max(aim.importance, leastImportance)));
     excesses.push_back(LogitOf(shares[aim.index].visible) - LogitOf(aim.target + aimedAbove));
   }
-  const std::vector<double> steps = this->Steps->StepFrom(logs, excesses, longestStep);
+  const std::vector<double> steps = this->Steps->StepFrom(logs, excesses, limits);
   for (std::size_t i = 0; i < this->Aims.size(); ++i)
   {
     this->Aims[i].importance = std::exp(logs[i] + steps[i]);
