@@ -8,10 +8,10 @@
 #include "backend/HostDevice.h"
 #include "energy/TransmittanceSweep.h"
 #include "render/DrawnPart.h"
+#include "scene/Occupancy.h"
 
 #include <memory>
 #include <optional>
-#include <vector>
 
 namespace limpid
 {
@@ -35,8 +35,7 @@ public:
       this->Now.reset(); // first, to free memory for the other one
       // The plan is that of a completely filled volume, so that it stays valid if the extinction
       // changes.
-      const std::vector<float> nothing(static_cast<std::size_t>(grid.NodeCount()));
-      const Occupancy everywhere(grid, nothing.data(), nothing.data(), false);
+      const Occupancy everywhere = OccupancyBuilder(grid).Take(false);
       this->Now.emplace(
         Plan{ grid, light, rayDensity, { this->Device, grid, everywhere, light, rayDensity } });
     }
