@@ -7,23 +7,18 @@ import sys
 import unittest
 
 import numpy as np
-from vtkmodules.vtkCommonDataModel import vtkImageData
 
 from limpid.vtkLimpidRendering import vtkTransmittanceVolumeMapper as Mapper
 
 from mapper_tests import MapperTest, show
-from ranks import RANK, RANKS, together
+from ranks import RANK, slab_of, together
 from volume_views import actor_of, phantom, sphere
 
 
 def show_piece(**properties):
     """A view of this process's slab of the phantom, with the mapper, and both."""
     whole = phantom(40)
-    piece = vtkImageData()
-    piece.ShallowCopy(whole)
-    last = whole.GetDimensions()[2] - 1
-    piece.Crop(whole.GetExtent()[:4] + (last * RANK // RANKS, last * (RANK + 1) // RANKS))
-    return show(piece, SharesImage=1, WholeExtent=whole.GetExtent(), **properties)
+    return show(slab_of(whole), SharesImage=1, WholeExtent=whole.GetExtent(), **properties)
 
 
 class TestStepsOnRanks(MapperTest):

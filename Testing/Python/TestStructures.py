@@ -13,7 +13,7 @@ from vtkmodules.vtkCommonDataModel import vtkDataObject
 from limpid.vtkLimpidFilters import vtkExtinctionOptimizer, vtkViewpointSearch
 
 from images import FilterTest, filter_on, image_of, phantom, values
-from mapper_tests import MapperTest, show
+from mapper_tests import MapperTest, placement_of, show
 from volume_views import actor_of, gray_property, sphere
 
 SINGLE = float(np.finfo(np.float32).eps)
@@ -484,13 +484,8 @@ class TestSharesOfMapper(MapperTest):
 
     def filtered(self, view, structures=LAYERS, **properties):
         """The table of the filter for the camera of a view."""
-        camera = view.renderer.GetActiveCamera()
         result = optimizer(layered_phantom(), *structures, **self.SETTINGS, **properties,
-                           AutomaticPlacement=0,
-                           CameraPosition=camera.GetPosition(),
-                           CameraFocalPoint=camera.GetFocalPoint(),
-                           CameraViewUp=camera.GetViewUp(), CameraViewAngle=camera.GetViewAngle(),
-                           CameraAspectRatio=1)
+                           **placement_of(view))
         result.Update()
         return columns_of(result.GetStructureTable())
 

@@ -8,14 +8,14 @@ import unittest
 
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk
-from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkImageData
+from vtkmodules.vtkCommonDataModel import vtkDataObject
 
 from limpid.vtkLimpidFilters import vtkExtinctionOptimizer
 from limpid.vtkLimpidRendering import vtkTransmittanceVolumeMapper as Mapper
 
 from images import filter_on
-from mapper_tests import MapperTest, show
-from ranks import RANK, RANKS, sum_of_all, together
+from mapper_tests import MapperTest, placement_of, show
+from ranks import RANK, RANKS, slab_of, sum_of_all, together
 from volume_views import actor_of, difference, phantom, sphere
 
 LABELS, POINTS = 3, vtkDataObject.FIELD_ASSOCIATION_POINTS
@@ -47,14 +47,9 @@ def choose(algorithm, structures=STRUCTURES):
 def show_piece(first=0, structures=STRUCTURES, **properties):
     """A view of this process's slab, and the mapper. Processes before the first have no slab."""
     whole = whole_image()
-    piece = vtkImageData()
-    last = whole.GetDimensions()[2] - 1
-    part, parts = RANK - first, RANKS - first
-    if part >= 0:
-        piece.ShallowCopy(whole)
-        piece.Crop(whole.GetExtent()[:4] + (last * part // parts, last * (part + 1) // parts))
-    view, mapper = show(piece, SharesImage=1, WholeExtent=whole.GetExtent(), **properties)
-    if part < 0:  # such bounds are not those of the others
+    view, mapper = show(
+        slab_of(whole, first), SharesImage=1, WholeExtent=whole.GetExtent(), **properties)
+    if RANK < first:  # such bounds are not those of the others
         full, _ = show(whole)
         view.renderer.SetActiveCamera(full.camera)
     mapper.SetExtinctionArray("BaseExtinction")
@@ -71,12 +66,8 @@ def columns_of(table):
 class TestStructuresOnRanks(MapperTest):
     def filtered(self, view):
         """The table of one process that has the whole image, for the camera of a view."""
-        camera = view.camera
-        optimizer = filter_on(whole_image(), vtkExtinctionOptimizer, **SETTINGS,
-                              AutomaticPlacement=0, CameraPosition=camera.GetPosition(),
-                              CameraFocalPoint=camera.GetFocalPoint(),
-                              CameraViewUp=camera.GetViewUp(),
-                              CameraViewAngle=camera.GetViewAngle(), CameraAspectRatio=1)
+        optimizer = filter_on(
+            whole_image(), vtkExtinctionOptimizer, **SETTINGS, **placement_of(view))
         choose(optimizer)
         optimizer.UpdatePiece(0, 1, 0)
         return columns_of(optimizer.GetStructureTable())

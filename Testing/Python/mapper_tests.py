@@ -26,6 +26,14 @@ def show(image=None, volume_property=None, size=(160, 160), **properties):
     return view, mapper
 
 
+def placement_of(view):
+    """The properties with which a filter looks from the camera of a view."""
+    camera = view.camera
+    return {"AutomaticPlacement": 0, "CameraPosition": camera.GetPosition(),
+            "CameraFocalPoint": camera.GetFocalPoint(), "CameraViewUp": camera.GetViewUp(),
+            "CameraViewAngle": camera.GetViewAngle(), "CameraAspectRatio": 1}
+
+
 class MapperTest(unittest.TestCase):
     def assert_fine(self, view):
         self.assertEqual(view.messages, [])

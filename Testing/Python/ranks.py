@@ -6,6 +6,7 @@
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkDoubleArray
+from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkParallelCore import vtkCommunicator, vtkMultiProcessController
 
 from volume_views import BACKGROUND
@@ -13,6 +14,17 @@ from volume_views import BACKGROUND
 CONTROLLER = vtkMultiProcessController.GetGlobalController()
 RANK = CONTROLLER.GetLocalProcessId()
 RANKS = CONTROLLER.GetNumberOfProcesses()
+
+
+def slab_of(image, first=0):
+    """This process's slab of an image; without points in processes before the first."""
+    slab = vtkImageData()
+    part, parts = RANK - first, RANKS - first
+    if part >= 0:
+        last = image.GetDimensions()[2] - 1
+        slab.ShallowCopy(image)
+        slab.Crop(image.GetExtent()[:4] + (last * part // parts, last * (part + 1) // parts))
+    return slab
 
 
 def sum_of_all(values):
