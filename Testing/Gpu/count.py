@@ -15,6 +15,8 @@ MOST_THREADS = 2048
 SWEEPS = {"BackwardTiles": "the policy's sweep",
           "KeptE1E": "the derivative's sweep that counts scores, too",
           "SweptSlabs": "the derivative's sweep",
+          "DrawnPixelILNS_11CompositingE0ELb1ELb1ELb1E":
+              "a picture's ray, lit, with the overlay and colors of structures",
           "DrawnPixelILNS_11CompositingE0ELb1ELb1E": "a picture's ray, lit, with the overlay"}
 WAIT = "LD.E.STRONG.GPU"  # how all threads of a launch wait for each other
 KINDS = {"loads": ("LDG",), "stores": ("STG",),

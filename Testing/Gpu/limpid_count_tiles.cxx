@@ -29,12 +29,12 @@ namespace limpid::benchmark
 {
 namespace
 {
-/// Tiles of all phases of a sweep, and the lanes (rays or voxels) of those that are visited.
+/// Numbers of tiles in all phases of a sweep.
 struct Tiles
 {
   double all = 0;     ///< tiles that the sweep would visit without lists
   double visited = 0; ///< tiles in the lists
-  double active = 0;  ///< of these, tiles with at least one lane that changes a value
+  double active = 0;  ///< of these, tiles with at least one ray or voxel that has something to do
 
   Json AsJson() const
   {
