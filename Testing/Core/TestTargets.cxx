@@ -1,17 +1,24 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The search for importances with which targets are met, on shares in closed form.
+// The search for importances with which targets are met, on shares in closed form and in a small
+// scene.
 
+#include "BoxScene.h"
 #include "Tolerance.h"
 
+#include "optimize/Presets.h"
+#include "optimize/SceneStructures.h"
 #include "optimize/TargetSearch.h"
+#include "viewpoint/MeetTargets.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <functional>
+#include <memory>
 #include <numeric>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -71,6 +78,39 @@ Found Search(const SharedLight& light, const std::vector<Structure>& all)
   TargetSearch search(Structures(all), {});
   return RunAll(light, search);
 }
+
+/// A core behind a veil, and an opaque ball in front of it.
+struct VeiledCore
+{
+  BoxScene scene = BoxScene::Cube(17);
+  std::vector<StructureRow> rows; ///< 1: the core, 2: the ball
+
+  VeiledCore()
+  {
+    Take(PresetNamed("Default"), this->scene.settings);
+    this->scene.Fill(
+      [this](const Vec3& x)
+      {
+        const bool isCore = glm::length(x - Vec3(0, 0, 0.3)) < 0.4;
+        const bool isBall = glm::length(x - Vec3(0.55, 0.55, -0.7)) < 0.3;
+        const bool isVeil = std::abs(x.z + 0.4) < 0.15;
+        this->rows.push_back(isCore ? 1 : isBall ? 2 : 0);
+        return isCore ? 4.0 : isBall ? 30.0 : isVeil ? 8.0 : 0.0;
+      },
+      Everywhere(0));
+  }
+
+  TargetsFound Meet(const std::optional<double>& ofCore, const std::optional<double>& ofBall)
+  {
+    const Structures structures({ { 1, "core", 0, ofCore }, { 2, "ball", 1, ofBall } });
+    std::vector<float>& importance = this->scene.importance;
+    FillImportance(structures, this->rows.data(), Index(this->rows.size()), importance.data());
+    auto solver = std::make_unique<Solver>(this->scene.MakeSolver());
+    solver->Run();
+    return MeetTargets(
+      { this->scene.Fields(), importance.data(), structures, this->rows.data() }, {}, {}, solver);
+  }
+};
 }
 
 TEST(TargetSearch, KeepsTheImportancesGivenIfTheyMeetTheTargets)
@@ -132,6 +172,22 @@ TEST(TargetSearch, MissesConflictingTargetsByTheSame)
     found.shares[0].visible, 0.55, Relative(0.02, 1, "the search ends when gains are small"));
   EXPECT_WITHIN(
     found.shares[1].visible, 0.45, Relative(0.02, 1, "the search ends when gains are small"));
+}
+
+// Nothing hides the ball: as much is visible of it with a smaller importance, at first. That must
+// not keep the search from raising the importance of the core.
+TEST(TargetSearch, RaisesAStructureNextToOneFarAboveItsTarget)
+{
+  VeiledCore veiled;
+  const std::vector<StructureShares> given = veiled.Meet({}, {}).shares;
+  const TargetsFound found = veiled.Meet(0.9 * given[0].attainable, 0.1 * given[1].attainable);
+
+  SCOPED_TRACE(found.text);
+  EXPECT_LT(given[0].visible, 0.1 * given[0].attainable);
+  EXPECT_GT(given[1].visible, 0.9 * given[1].attainable);
+  EXPECT_EQ(found.warning, "");
+  EXPECT_EQ(StateOf(found.structures.At(1), found.shares[0]), TargetState::Met);
+  EXPECT_EQ(StateOf(found.structures.At(2), found.shares[1]), TargetState::Met);
 }
 
 TEST(TargetSearch, BeginsAgainWhereItEnded)

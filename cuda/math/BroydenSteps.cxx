@@ -101,8 +101,9 @@ std::vector<double> BroydenSteps::FreeStep(const std::vector<std::size_t>& free,
     }
     for (const std::size_t j : free)
     {
-      slopes.back().push_back(this->SlopeOf(i, j));
-      squares += slopes.back().back() * slopes.back().back();
+      const double slope = this->SlopeOf(i, j);
+      slopes.back().push_back(slope);
+      squares += slope * slope;
     }
   }
   const std::size_t count = free.size();

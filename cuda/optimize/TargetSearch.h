@@ -47,9 +47,10 @@ std::string TextOfTargets(const Structures& structures, const std::vector<Struct
 /**
  * Finds importances of structures with which they are visible as much as their targets ask
  * (Documentation/Method.md, section on structures). Logarithms of importances are moved by
- * Broyden's method until the logits of shares are those of the targets. An importance above 1
- * stands for larger weights of the energy and smaller importances of all other structures. If that
- * does not meet the targets, important structures are no longer protected.
+ * Broyden's method until the logits of shares are those of the targets, or above them where an
+ * importance cannot become smaller. An importance above 1 stands for larger weights of the energy
+ * and smaller importances of all other structures. If that does not meet the targets, important
+ * structures are no longer protected.
  */
 class TargetSearch
 {
