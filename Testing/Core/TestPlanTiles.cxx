@@ -64,7 +64,7 @@ void ForRaysIn(
 /// Returns the tiles that a sweep visits in phase `number`. `next`: the next phase in its lists.
 PhaseOfTiles PhaseAt(const PhasesOfTiles& lists, int number, int& next)
 {
-  const bool listed = next < lists.phaseCount && lists.phases[next].number == number;
+  const bool listed = next < *lists.phaseCount && lists.phases[next].number == number;
   return listed ? lists.phases[next++] : PhaseOfTiles{ number, 0, 0 };
 }
 
@@ -187,7 +187,7 @@ TEST_P(PlanOf, VisitsAllTilesThatHaveAnythingToDo)
   for (FrustumRays<SimulatedDevice>& rays : this->MoveToDevice())
   {
     const FaceFrustum& plan = rays.Plan();
-    const PhasesOfTiles& lists = rays.Tiles().Lists();
+    const PhasesOfTiles lists = rays.Tiles().Lists();
     const VoxelsOfTiles voxels = rays.Tiles().Found();
     std::vector<int> changes(std::size_t(plan.RayCount()), 0);
     std::vector<int> images[2] = { changes, changes };
@@ -232,7 +232,7 @@ TEST_P(PlanOf, VisitsAllTilesThatHaveAnythingToDo)
         }
       }
     }
-    ASSERT_EQ(phase, lists.phaseCount);
+    ASSERT_EQ(phase, *lists.phaseCount);
   }
 }
 
@@ -245,7 +245,7 @@ TEST_P(PlanOf, VisitsAllTilesOfSlabsThatHaveAnythingToDo)
   {
     const FaceFrustum& plan = rays.Plan();
     const SlabLayout<SlabsFromBack> layout(plan, slices);
-    const PhasesOfTiles& lists = rays.SlabsFromBack(slices).Lists();
+    const PhasesOfTiles lists = rays.SlabsFromBack(slices).Lists();
     std::vector<int> changes(std::size_t(plan.RayCount()), 0);
     std::vector<std::vector<int>> images(2 * slices, changes);
     int phase = 0;
@@ -290,7 +290,7 @@ TEST_P(PlanOf, VisitsAllTilesOfSlabsThatHaveAnythingToDo)
         }
       }
     }
-    ASSERT_EQ(phase, lists.phaseCount);
+    ASSERT_EQ(phase, *lists.phaseCount);
   }
 }
 
@@ -303,7 +303,7 @@ TEST_P(PlanOf, VisitsAllTilesOfRaysWhoseImageChangesFrontToBack)
   {
     const FaceFrustum& plan = rays.Plan();
     const SlabLayout<SlabsFromFront> layout(plan, slices);
-    const PhasesOfTiles& lists = rays.SlabsFromFront(slices).Lists();
+    const PhasesOfTiles lists = rays.SlabsFromFront(slices).Lists();
     std::vector<int> met(std::size_t(plan.RayCount()), 0);
     std::vector<std::vector<int>> images(2 * slices, met);
     int phase = 0;
@@ -330,6 +330,53 @@ TEST_P(PlanOf, VisitsAllTilesOfRaysWhoseImageChangesFrontToBack)
           }
         }
       }
+    }
+  }
+}
+
+// The host would otherwise wait until the device has listed them, before every first sweep of a
+// plan.
+TEST_P(PlanOf, ListsTilesWithoutCopies)
+{
+  std::vector<FrustumRays<SimulatedDevice>> onDevice = this->MoveToDevice();
+  LaunchTimes times;
+
+  SimulatedDevice::Shared()->Time(&times);
+  for (FrustumRays<SimulatedDevice>& rays : onDevice)
+  {
+    rays.Tiles();
+    rays.SlabsFromBack(4);
+    rays.SlabsFromFront(4);
+  }
+  SimulatedDevice::Shared()->Time(nullptr);
+
+  ASSERT_EQ(times.Entries().size(), 1u);
+  EXPECT_EQ(times.Entries()[0].label, "plan");
+}
+
+TEST(PhaseLists, HaveNoPhasesWhereNoTileHasWork)
+{
+  const auto nowhere = [](int, int) { return false; };
+  const PhaseLists<SimulatedDevice> lists(SimulatedDevice::Shared(), 70, 5, nowhere);
+
+  EXPECT_EQ(*lists.Lists().phaseCount, 0);
+}
+
+TEST(PhaseLists, LeaveOutPhasesWithoutTiles)
+{
+  const auto everyThird = [](int tile, int phase) { return phase % 2 == 1 && tile % 3 == 0; };
+  const PhaseLists<SimulatedDevice> made(SimulatedDevice::Shared(), 200, 6, everyThird);
+
+  const PhasesOfTiles lists = made.Lists();
+  ASSERT_EQ(*lists.phaseCount, 3);
+  for (int place = 0; place < 3; ++place)
+  {
+    const PhaseOfTiles& phase = lists.phases[place];
+    EXPECT_EQ(phase.number, 2 * place + 1);
+    ASSERT_EQ(phase.count, 67);
+    for (int index = 0; index < phase.count; ++index)
+    {
+      ASSERT_EQ(lists.numbers[phase.first + index], 3 * index);
     }
   }
 }

@@ -46,7 +46,7 @@ struct Tiles
   void Add(const PhasesOfTiles& lists, double tiles, double phases, const Visit& visit)
   {
     this->all += tiles * phases;
-    for (int i = 0; i < lists.phaseCount; ++i)
+    for (int i = 0; i < *lists.phaseCount; ++i)
     {
       const PhaseOfTiles& phase = lists.phases[i];
       this->visited += phase.count;

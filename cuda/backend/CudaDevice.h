@@ -110,9 +110,14 @@ __global__ void __launch_bounds__(blockThreads, residentThreads / blockThreads)
 
 template <class Body>
 __global__ void __launch_bounds__(Body::tileThreads, Body::residentThreads / Body::tileThreads)
-  VisitTiles(const int phases, const __grid_constant__ Body body)
+  VisitTiles(const __grid_constant__ Body body)
 {
   const cooperative_groups::grid_group grid = cooperative_groups::this_grid();
+  const int phases = *body.lists.phaseCount; // the same for all threads
+  if (phases == 0)
+  {
+    return;
+  }
   auto next = body.lists.phases[0];
   for (int number = 0; number < phases; ++number)
   {
@@ -257,24 +262,22 @@ public:
   template <class Body>
   void ForPhases(const char* label, int phases, const Body& body)
   {
-    this->LaunchResident(
-      { label, 0, phases - 1 }, &detail::VisitPhases<Body>, BlockOf(), phases, body);
+    this->LaunchResident({ label, 0, phases - 1 }, &detail::VisitPhases<Body>, BlockOf(),
+      std::numeric_limits<int>::max(), phases, body);
   }
 
   /// Runs all phases of a body in order, and the tiles of a phase in any order: those of the
   /// numbers that body.lists has for the phase (PhasesOfTiles). The steps of a tile run in order,
   /// each like ForEach over tile.ExtentOf(step) with body.Visit(tile, step, column, row). Here tile
   /// is body.TileOf(phase, number). A step sees what earlier steps of the tile and earlier phases
-  /// have written. Tiles of a phase may write equal values to the same address. Uses one launch.
+  /// have written. Tiles of a phase may write equal values to the same address. Uses one launch,
+  /// with blocks for as many tiles as a phase may have: only the device knows how many it has.
+  /// Likewise, LaunchTimes has no number of waits.
   template <class Body>
   void ForTiles(const char* label, const Body& body)
   {
-    const int phases = body.lists.phaseCount;
-    if (phases > 0)
-    {
-      this->LaunchResident({ label, 0, phases - 1 }, &detail::VisitTiles<Body>,
-        dim3(Body::tileThreads), phases, body, body.lists.mostTiles);
-    }
+    this->LaunchResident(
+      { label }, &detail::VisitTiles<Body>, dim3(Body::tileThreads), body.lists.mostTiles, body);
   }
 
 private:
@@ -287,9 +290,9 @@ private:
   static dim3 BlockOf() { return dim3(detail::blockColumns, detail::blockRows); }
 
   /// Launches as many blocks as can be resident at the same time, at most `mostBlocks`.
-  template <class Body>
-  void LaunchResident(const Launch& launch, void (*kernel)(int, Body), const dim3& block,
-    int phases, Body body, int mostBlocks = std::numeric_limits<int>::max())
+  template <class... Arguments>
+  void LaunchResident(const Launch& launch, void (*kernel)(Arguments...), const dim3& block,
+    int mostBlocks, Arguments... arguments)
   {
     this->Use();
     int blocksPerProcessor = 0;
@@ -297,10 +300,10 @@ private:
       &blocksPerProcessor, kernel, static_cast<int>(block.x * block.y), 0));
     const int resident = blocksPerProcessor * this->Processors;
     const dim3 grid(static_cast<unsigned>(resident < mostBlocks ? resident : mostBlocks));
-    void* arguments[] = { &phases, &body };
+    void* addresses[] = { &arguments... };
     const Timed timed(*this, launch);
     detail::RequireCuda(cudaLaunchCooperativeKernel(reinterpret_cast<const void*>(kernel), grid,
-                          block, arguments, 0, this->Stream),
+                          block, addresses, 0, this->Stream),
       launch.label);
   }
 

@@ -139,8 +139,9 @@ public:
   void ForTiles(const char* label, const Body& body)
   {
     const auto& lists = body.lists;
-    const Timed timed(this->Times, { label, 0, lists.phaseCount > 0 ? lists.phaseCount - 1 : 0 });
-    for (int number = 0; number < lists.phaseCount; ++number)
+    const int phases = *lists.phaseCount;
+    const Timed timed(this->Times, { label, 0, phases > 0 ? phases - 1 : 0 });
+    for (int number = 0; number < phases; ++number)
     {
       const auto& phase = lists.phases[number];
       for (int index = 0; index < phase.count; ++index)

@@ -11,10 +11,8 @@
 #include "math/Macros.h"
 #include "math/Vec.h"
 
-#include <algorithm>
 #include <cstddef>
 #include <memory>
-#include <vector>
 
 namespace limpid
 {
@@ -26,13 +24,13 @@ struct alignas(16) PhaseOfTiles
   Index first; ///< position of the first tile in PhasesOfTiles::numbers
 };
 
-/// The lists that a sweep reads.
+/// The lists that a sweep reads. They are made on the device, and the host does not wait for them.
 struct PhasesOfTiles
 {
-  const int* numbers;
-  const PhaseOfTiles* phases;
-  int phaseCount;
-  int mostTiles; ///< largest number of tiles in a phase
+  const int* numbers;         ///< on the device
+  const PhaseOfTiles* phases; ///< on the device
+  const int* phaseCount;      ///< on the device
+  int mostTiles;              ///< no phase has more tiles
 };
 
 namespace detail
@@ -135,6 +133,34 @@ struct ListedTiles
       });
   }
 };
+
+/// Lists the phases that have tiles.
+struct ListedPhases
+{
+  const int* counts; ///< [phase]: number of tiles
+  int all;           ///< number of phases, with those without tiles
+  int tiles;
+  PhaseOfTiles* phases;
+  int* phaseCount;
+
+  LIMPID_HD void operator()(Index phase) const
+  {
+    int before = 0;
+    for (Index other = 0; other < phase; ++other)
+    {
+      before += this->counts[other] > 0 ? 1 : 0;
+    }
+    const int count = this->counts[phase];
+    if (count > 0)
+    {
+      this->phases[before] = { static_cast<int>(phase), count, phase * this->tiles };
+    }
+    if (phase + 1 == this->all)
+    {
+      *this->phaseCount = before + (count > 0 ? 1 : 0);
+    }
+  }
+};
 }
 
 /// Lists the tiles that have work in each phase.
@@ -146,11 +172,18 @@ public:
   template <class Mark>
   PhaseLists(const std::shared_ptr<AnyDevice>& device, int tiles, int phases, const Mark& mark)
     : Device(device)
+    , Numbers(this->Make<int>(Index(phases) * tiles))
+    , Phases(this->Make<PhaseOfTiles>(phases))
+    , PhaseCount(this->Make<int>(1))
+    , MostTiles(tiles)
   {
-    this->ListPhases(tiles, this->ListTiles(tiles, phases, mark));
+    this->ListPhases(phases, this->ListTiles(phases, mark));
   }
 
-  const PhasesOfTiles& Lists() const { return this->Addresses; }
+  PhasesOfTiles Lists() const
+  {
+    return { this->Numbers.Data(), this->Phases.Data(), this->PhaseCount.Data(), this->MostTiles };
+  }
 
 private:
   static constexpr const char* label = "plan";
@@ -164,45 +197,36 @@ private:
 
   /// Returns the number of tiles in each phase.
   template <class Mark>
-  std::vector<int> ListTiles(int tiles, int phases, const Mark& mark)
+  DeviceArray<AnyDevice, int> ListTiles(int phases, const Mark& mark)
   {
     AnyDevice& device = *this->Device;
+    const int tiles = this->MostTiles;
     DeviceArray<AnyDevice, unsigned char> bytes = this->Make<unsigned char>(Index(phases) * tiles);
     device.ForEach(label, { tiles, phases }, detail::MarkedTile<Mark>{ mark, tiles, bytes.Data() });
     detail::TileMarks marks{ bytes.Data(), tiles, nullptr };
     const int groups = marks.GroupCount();
     DeviceArray<AnyDevice, int> inGroups = this->Make<int>(Index(phases) * groups);
     DeviceArray<AnyDevice, int> counts = this->Make<int>(phases);
-    this->Numbers = this->Make<int>(Index(phases) * tiles);
     marks.found = inGroups.Data();
     device.ForEach(label, { groups, phases }, detail::CountedTiles{ marks });
     device.ForIndices(label, phases, detail::SummedGroups{ marks, groups, counts.Data() });
     device.ForEach(label, { groups, phases }, detail::ListedTiles{ marks, this->Numbers.Data() });
-    std::vector<int> found(static_cast<std::size_t>(phases));
-    counts.Download(found.data());
-    return found;
+    return counts;
   }
 
   /// `counts`: number of tiles in each phase.
-  void ListPhases(int tiles, const std::vector<int>& counts)
+  void ListPhases(int phases, const DeviceArray<AnyDevice, int>& counts)
   {
-    std::vector<PhaseOfTiles> phases;
-    for (std::size_t phase = 0; phase < counts.size(); ++phase)
-    {
-      if (counts[phase] > 0)
-      {
-        phases.push_back({ static_cast<int>(phase), counts[phase], Index(phase) * tiles });
-      }
-    }
-    this->Phases = { this->Device, phases, what };
-    this->Addresses = { this->Numbers.Data(), this->Phases.Data(), static_cast<int>(phases.size()),
-      *std::max_element(counts.begin(), counts.end()) };
+    this->Device->ForIndices(label, phases,
+      detail::ListedPhases{
+        counts.Data(), phases, this->MostTiles, this->Phases.Data(), this->PhaseCount.Data() });
   }
 
   std::shared_ptr<AnyDevice> Device;
-  DeviceArray<AnyDevice, int> Numbers;
-  DeviceArray<AnyDevice, PhaseOfTiles> Phases;
-  PhasesOfTiles Addresses{};
+  DeviceArray<AnyDevice, int> Numbers;         ///< [phase][]
+  DeviceArray<AnyDevice, PhaseOfTiles> Phases; ///< as many as there are phases; the first are set
+  DeviceArray<AnyDevice, int> PhaseCount;
+  int MostTiles;
 };
 }
 

@@ -243,7 +243,7 @@ public:
   }
 
   VoxelsOfTiles Found() const { return { this->Tiles, this->Voxels.Data() }; }
-  const PhasesOfTiles& Lists() const { return this->Phases.Lists(); }
+  PhasesOfTiles Lists() const { return this->Phases.Lists(); }
 
 private:
   DeviceArray<AnyDevice, Range<int>> FindVoxels(const FaceFrustum& frustum) const

@@ -242,7 +242,7 @@ public:
     return { device, layout, SlabTileIsDimmed{ layout, { dimmed.Data(), frustum.rows } } };
   }
 
-  const PhasesOfTiles& Lists() const { return this->Phases.Lists(); }
+  PhasesOfTiles Lists() const { return this->Phases.Lists(); }
 
 private:
   template <class Layout, class Mark>

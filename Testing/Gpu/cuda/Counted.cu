@@ -129,8 +129,8 @@ using PolicySweep = BackwardTiles<counted::OfPolicy>;
 using DerivativeSweep = SweptSlabs<BackToFront, counted::OfDerivative>;
 using DerivativeSweepWithScore =
   SweptSlabs<BackToFront, GradientKernel<const float*, float*, Kept::Counted>>;
-template __global__ void VisitTiles<PolicySweep>(int, const __grid_constant__ PolicySweep);
-template __global__ void VisitTiles<DerivativeSweep>(int, const __grid_constant__ DerivativeSweep);
+template __global__ void VisitTiles<PolicySweep>(const __grid_constant__ PolicySweep);
+template __global__ void VisitTiles<DerivativeSweep>(const __grid_constant__ DerivativeSweep);
 template __global__ void VisitTiles<DerivativeSweepWithScore>(
-  int, const __grid_constant__ DerivativeSweepWithScore);
+  const __grid_constant__ DerivativeSweepWithScore);
 }
