@@ -8,7 +8,9 @@
 #include "TestedDevice.h"
 #include "Tolerance.h"
 
+#include "energy/TransmittanceKernel.h"
 #include "energy/TransmittanceSweep.h"
+#include "sweep/SweepLaunches.h"
 
 #include <gtest/gtest.h>
 
@@ -66,6 +68,72 @@ std::vector<float> FillHere(const BoxScene& scene, double rayDensity)
     rayDensity, transmittance.data());
   return transmittance;
 }
+
+/// Replaces the extinction by some small boxes at random. `most`: optical depth of a voxel.
+void FillBoxes(BoxScene& scene, double most, std::mt19937& generator)
+{
+  const Int3 nodes = scene.grid.nodes;
+  scene.extinction.assign(scene.extinction.size(), 0.0f);
+  const auto any = [&generator](int begin, int end)
+  { return std::uniform_int_distribution<int>(begin, end - 1)(generator); };
+  for (int box = 0; box < 4; ++box)
+  {
+    const Int3 first(any(0, nodes.x), any(0, nodes.y), any(0, nodes.z));
+    const Int3 end = glm::min(first + Int3(any(1, 8), any(1, 8), any(1, 8)), nodes);
+    const auto value = static_cast<float>(most * any(1, 11) / 10);
+    for (int k = first.z; k < end.z; ++k)
+    {
+      for (int j = first.y; j < end.y; ++j)
+      {
+        for (int i = first.x; i < end.x; ++i)
+        {
+          scene.extinction[std::size_t(i + nodes.x * (j + Index(nodes.y) * k))] = value;
+        }
+      }
+    }
+  }
+}
+
+/// The plan of a filled box, swept with the tiles that an extinction dims and with all tiles.
+class SweptTwice
+{
+public:
+  SweptTwice(const BoxScene& scene, double rayDensity)
+    : Nodes(scene.grid.nodes)
+    , Everywhere(Device, std::vector<float>(scene.extinction.size(), 1.0f), "a test")
+    , All(Device, Nodes, Everywhere.Data())
+    , Volume(Device, scene.grid, OccupancyBuilder(scene.grid).Take(false),
+        SourceOfLight(scene.light, scene.grid), rayDensity)
+  {
+  }
+
+  void ExpectSameBits(const std::vector<float>& extinction)
+  {
+    const Field field(this->Device, extinction, "a test");
+    const std::vector<float> ones(extinction.size(), 1.0f);
+    Field dimmed(this->Device, ones, "a test");
+    Field full(this->Device, ones, "a test");
+    this->Volume.Sweep(field.Data(), dimmed.Data());
+    for (FrustumRays<TestedDevice>& rays : this->Volume.Frusta())
+    {
+      SweepFrontToBack(this->Device, rays, this->All,
+        TransmittanceKernel<const float*, float*>{ field.Data(), full.Data() });
+    }
+    std::vector<float> found[2] = { ones, ones };
+    dimmed.Download(found[0].data());
+    full.Download(found[1].data());
+    EXPECT_EQ(found[0], found[1]);
+  }
+
+private:
+  using Field = DeviceArray<TestedDevice, float>;
+
+  std::shared_ptr<TestedDevice> Device = MakeTestedDevice();
+  Int3 Nodes;
+  Field Everywhere;
+  FieldBlocks<TestedDevice> All;
+  TransmittanceSweep<TestedDevice> Volume;
+};
 
 double LargestDifference(const std::vector<float>& one, const std::vector<float>& other)
 {
@@ -125,6 +193,25 @@ TEST_P(TransmittanceOfDevice, NeedsNoPlanOfItsOwnForLessExtinction)
   const std::vector<float> there = FillThere(scene, GetParam().rayDensity, planned);
 
   EXPECT_WITHIN(LargestDifference(there, FillHere(scene, GetParam().rayDensity)), 0, OtherOrder());
+}
+
+// Most tiles are not visited. Their voxels and images have the values that a visit would give.
+TEST_P(TransmittanceOfDevice, HasTheBitsOfASweepOverAllTiles)
+{
+  BoxScene scene = BoxUnder(GetParam(), { 43, 37, 40 });
+  std::mt19937 generator(11);
+  for (const double most : { 0.02, 0.5, 40.0 }) // optical depth of a voxel
+  {
+    SCOPED_TRACE(most);
+    FillBoxes(scene, most, generator);
+    SweptTwice sweep(scene, GetParam().rayDensity);
+
+    sweep.ExpectSameBits(scene.extinction);
+    FillBoxes(scene, most, generator);
+    sweep.ExpectSameBits(scene.extinction);
+    scene.extinction.assign(scene.extinction.size(), 0.0f);
+    sweep.ExpectSameBits(scene.extinction);
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(

@@ -5,6 +5,7 @@
 
 #include "PlanOf.h"
 
+#include "sweep/DimmedTiles.h"
 #include "sweep/SweepTiles.h"
 
 #include <algorithm>
@@ -86,6 +87,28 @@ std::vector<bool> RaysMovedIn(const PhaseOfTiles& phase, const SlabLayout<Slabs>
     ForRaysIn(plan, tile.columns, tile.rows, [&moved](std::size_t ray) { moved[ray] = true; });
   }
   return moved;
+}
+
+/// Whether any of the nodes that a ray reads in the layer behind slice `s` has extinction.
+bool MeetsAny(
+  const FaceFrustum& plan, const std::vector<float>& extinction, int s, int column, int row)
+{
+  if (!plan.ActiveRays(s, row).Contains(column))
+  {
+    return false;
+  }
+  for (int corner = 0; corner < 16; ++corner)
+  {
+    const int plane = 2 * s + (corner & 1);
+    const int u = plan.PlaneColumns(plane).index[column] + (corner >> 1 & 1);
+    const int v = plan.PlaneRows(plane).index[row] + (corner >> 2 & 1);
+    const int node = plan.SliceAt(s).nodes[corner >> 3];
+    if (extinction[std::size_t(plan.VoxelAt(node, u, v))] > 0)
+    {
+      return true;
+    }
+  }
+  return false;
 }
 
 /// Rays along one axis.
@@ -294,16 +317,20 @@ TEST_P(PlanOf, VisitsAllTilesOfSlabsThatHaveAnythingToDo)
   }
 }
 
-// Front to back the image of a ray is another one behind every layer in which it is active, and,
-// near the sides of the box, on every slice from the first such layer on.
+// Front to back the image of a ray is another one behind every layer in which it meets anything,
+// and, near the sides of the box, on every slice from the first such layer on.
 TEST_P(PlanOf, VisitsAllTilesOfRaysWhoseImageChangesFrontToBack)
 {
   constexpr int slices = 4;
+  const auto device = SimulatedDevice::Shared();
+  const std::vector<float>& extinction = this->scene.extinction;
+  const FieldBlocks<SimulatedDevice> dimming(device, this->scene.grid.nodes, extinction.data());
   for (FrustumRays<SimulatedDevice>& rays : this->MoveToDevice())
   {
     const FaceFrustum& plan = rays.Plan();
     const SlabLayout<SlabsFromFront> layout(plan, slices);
-    const PhasesOfTiles lists = rays.SlabsFromFront(slices).Lists();
+    const auto made = ListSlabsFromFront(device, plan, slices, dimming.Blocks());
+    const PhasesOfTiles lists = made.Lists();
     std::vector<int> met(std::size_t(plan.RayCount()), 0);
     std::vector<std::vector<int>> images(2 * slices, met);
     int phase = 0;
@@ -320,17 +347,36 @@ TEST_P(PlanOf, VisitsAllTilesOfRaysWhoseImageChangesFrontToBack)
           for (int column = 0; column < plan.columns; ++column)
           {
             const auto ray = std::size_t(plan.RayAt(column, row));
-            const bool active = s < plan.lastSlice && plan.ActiveRays(s, row).Contains(column);
-            ASSERT_TRUE(moved[ray] || !active) << column << " " << row;
-            const bool bySlice = plan.IsNearSides(column, row) && (met[ray] > 0 || active);
+            const bool meets = s < plan.lastSlice && MeetsAny(plan, extinction, s, column, row);
+            ASSERT_TRUE(moved[ray] || !meets) << column << " " << row;
+            const bool bySlice = plan.IsNearSides(column, row) && (met[ray] > 0 || meets);
             const int right = bySlice ? 1000 * (s + 1) + met[ray] : met[ray];
             image[ray] = moved[ray] ? right : image[ray];
             ASSERT_EQ(image[ray], right) << column << " " << row << " " << s;
-            met[ray] += active ? 1 : 0;
+            met[ray] += meets ? 1 : 0;
           }
         }
       }
     }
+  }
+}
+
+TEST(FilledBlocks, AreThoseWithAnyValue)
+{
+  const Int3 nodes(9, 6, 5);
+  for (const Int3& filled : { Int3(0, 0, 0), Int3(8, 5, 4), Int3(3, 4, 0), Int3(4, 3, 4) })
+  {
+    std::vector<float> field(std::size_t(nodes.x * nodes.y * nodes.z), 0.0f);
+    field[std::size_t(filled.x + nodes.x * (filled.y + nodes.y * filled.z))] = 1;
+    const FieldBlocks<SimulatedDevice> made(SimulatedDevice::Shared(), nodes, field.data());
+
+    const FilledBlocks blocks = made.Blocks();
+
+    EXPECT_EQ(blocks.counts, Int3(3, 2, 2));
+    EXPECT_TRUE(blocks.Any({ Int3(0), nodes - 1 }));
+    EXPECT_TRUE(blocks.Any({ filled, filled }));
+    EXPECT_EQ(blocks.Any({ Int3(0), Int3(3) }), filled == Int3(0));
+    EXPECT_EQ(blocks.Any({ Int3(8, 4, 4), Int3(8, 5, 4) }), filled == Int3(8, 5, 4));
   }
 }
 
@@ -346,7 +392,6 @@ TEST_P(PlanOf, ListsTilesWithoutCopies)
   {
     rays.Tiles();
     rays.SlabsFromBack(4);
-    rays.SlabsFromFront(4);
   }
   SimulatedDevice::Shared()->Time(nullptr);
 

@@ -113,16 +113,61 @@ bool IsDimmed(const FaceFrustum& plan, const SlabTile& tile, const float* transm
   return false;
 }
 
-/// Tiles of the shadows, and the bytes that they write, without the result itself.
-double AddShadows(Rays& rays, const float* transmittance, Tiles& tiles)
+/// For every slab of a front-to-back sweep and every row of rays: the columns between which rays
+/// have met anything before the end of the slab.
+std::vector<Range<int>> FindMet(const SlabLayout<SlabsFromFront>& layout, const FaceFrustum& plan)
+{
+  std::vector<Range<int>> met;
+  std::vector<Range<int>> now(std::size_t(plan.rows));
+  for (int slab = 0; slab < layout.slabs; ++slab)
+  {
+    const Range<int> slices = layout.SlabOf(slab);
+    for (int s = slices.begin; s < slices.end && s < plan.lastSlice; ++s)
+    {
+      for (int row = 0; row < plan.rows; ++row)
+      {
+        Range<int>& columns = now[std::size_t(row)];
+        columns = Hull(columns, plan.ActiveRays(s, row));
+      }
+    }
+    met.insert(met.end(), now.begin(), now.end());
+  }
+  return met;
+}
+
+/// Whether the density of any ray of a tile changes from slice to slice: of those near the sides
+/// that have met anything. `met`: by row.
+bool ChangesDensity(const FaceFrustum& plan, const SlabTile& tile, const Range<int>* met)
+{
+  for (int row = tile.rows.begin; row < tile.rows.end; ++row)
+  {
+    const Range<int> columns = Intersection(tile.columns, met[row]);
+    for (int column = columns.begin; column < columns.end; ++column)
+    {
+      if (plan.IsNearSides(column, row))
+      {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+/// Tiles of the shadows, and the bytes that they write, without the result itself. `extinction`:
+/// what casts them; `exact`: the plan for this extinction alone.
+double AddShadows(Rays& rays, const FaceFrustum& exact,
+  const FieldBlocks<SimulatedDevice>& extinction, const float* transmittance, Tiles& tiles)
 {
   using Images = detail::SlabImages<TransmittanceKernel<const float*, float*>>;
   const FaceFrustum& plan = rays.Plan();
   const int slices = Images::SlicesFor(plan.RayCount());
   const SlabLayout<SlabsFromFront> layout(plan, slices);
+  const std::vector<Range<int>> met = FindMet(layout, exact);
   // At the start, all images and the depth of each ray.
   double bytes = double(plan.RayCount()) * (sizeof(double) + 2.0 * slices * 2 * sizeof(float));
-  tiles.Add(rays.SlabsFromFront(slices).Lists(), layout.TileCount(), layout.PhaseCount(),
+  const auto lists =
+    ListSlabsFromFront(SimulatedDevice::Shared(), plan, slices, extinction.Blocks());
+  tiles.Add(lists.Lists(), layout.TileCount(), layout.PhaseCount(),
     [&](int number, int phase)
     {
       const SlabTile tile = layout.TileAt(phase, number);
@@ -142,7 +187,8 @@ double AddShadows(Rays& rays, const float* transmittance, Tiles& tiles)
         }
       }
       bytes += lanes * sizeof(double) + (lanes + nearSides) * slab.Length() * sizeof(float);
-      return AnyRayIsActive(plan, slab, tile.columns, tile.rows);
+      return AnyRayIsActive(exact, slab, tile.columns, tile.rows) ||
+        ChangesDensity(plan, tile, &met[std::size_t(tile.place) * std::size_t(plan.rows)]);
     });
   return bytes;
 }
@@ -173,12 +219,18 @@ Json CountScene(const SceneForSolver& scene)
   FillTransmittance(
     problem.grid, base.data(), problem.Light(), problem.settings.rayDensity, transmittance.data());
   Tiles shadows;
-  double bytes = double(base.size()) * sizeof(float);                        // set to 1 first
-  const Occupancy everywhere(problem.grid, base.data(), base.data(), false); // see ShadowVolume
-  for (Rays& rays : PlanRays(device, problem.grid, everywhere, problem.Light(),
-         { transmittanceRayDensity, RayPlacement::ForNodes }))
+  double bytes = double(base.size()) * sizeof(float); // set to 1 first
+  const auto planFor = [&](bool skip)
   {
-    bytes += AddShadows(rays, transmittance.data(), shadows);
+    return PlanRays(device, problem.grid, Occupancy(problem.grid, base.data(), base.data(), skip),
+      problem.Light(), { transmittanceRayDensity, RayPlacement::ForNodes });
+  };
+  const FieldBlocks<SimulatedDevice> blocks(device, problem.grid.nodes, base.data());
+  std::vector<Rays> frusta = planFor(false); // see ShadowVolume
+  std::vector<Rays> exact = planFor(true);
+  for (std::size_t n = 0; n < frusta.size(); ++n)
+  {
+    bytes += AddShadows(frusta[n], exact[n].Plan(), blocks, transmittance.data(), shadows);
   }
   const Int3& nodes = problem.grid.nodes;
   return { { "scene", scene.name }, { "nodes", { nodes.x, nodes.y, nodes.z } },

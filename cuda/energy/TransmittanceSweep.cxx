@@ -24,7 +24,7 @@ template <class AnyDevice>
 TransmittanceSweep<AnyDevice>::TransmittanceSweep(std::shared_ptr<AnyDevice> device,
   const Grid& grid, const Occupancy& occupancy, const RaySource& source, double rayDensity)
   : Device(std::move(device))
-  , Nodes(grid.NodeCount())
+  , Nodes(grid.nodes)
   , Rays(PlanRays(this->Device, grid, occupancy, source, { rayDensity, RayPlacement::ForNodes }))
 {
 }
@@ -32,17 +32,19 @@ TransmittanceSweep<AnyDevice>::TransmittanceSweep(std::shared_ptr<AnyDevice> dev
 template <class AnyDevice>
 void TransmittanceSweep<AnyDevice>::Fill(const float* extinction, float* transmittance)
 {
-  this->Device->ForIndices("clear transmittance", this->Nodes, ClearNode{ transmittance });
+  const Index count = Index(this->Nodes.x) * this->Nodes.y * this->Nodes.z;
+  this->Device->ForIndices("clear transmittance", count, ClearNode{ transmittance });
   this->Sweep(extinction, transmittance);
 }
 
 template <class AnyDevice>
 void TransmittanceSweep<AnyDevice>::Sweep(const float* extinction, float* transmittance)
 {
+  const FieldBlocks<AnyDevice> dimming(this->Device, this->Nodes, extinction);
   for (FrustumRays<AnyDevice>& rays : this->Rays)
   {
-    SweepFrontToBack(
-      *this->Device, rays, TransmittanceKernel<const float*, float*>{ extinction, transmittance });
+    SweepFrontToBack(this->Device, rays, dimming,
+      TransmittanceKernel<const float*, float*>{ extinction, transmittance });
   }
 }
 

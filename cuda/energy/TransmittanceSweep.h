@@ -20,7 +20,8 @@ constexpr double transmittanceRayDensity = 3;
 /**
  * Transmittance from a source of rays to every node of a grid, Eqs. (15) and (16), in one
  * front-to-back sweep. The plan is valid for one grid and one source, and for every extinction
- * that is zero where the occupancy is empty.
+ * that is zero where the occupancy is empty. A device visits only what the extinction dims, which
+ * it finds anew for each.
  *
  * On a device, at 256^3 nodes with three rays per voxel and axis, there are 66 thousand rays from
  * a light along an axis, 1.0 million from an oblique one and 1.5 million from a point outside. An
@@ -48,7 +49,7 @@ public:
 
 private:
   std::shared_ptr<AnyDevice> Device;
-  Index Nodes = 0;
+  Int3 Nodes{ 0 };
   std::vector<FrustumRays<AnyDevice>> Rays;
 };
 

@@ -6,6 +6,7 @@
 
 #include "backend/DeviceArray.h"
 #include "render/RayScene.h"
+#include "scene/IndexBox.h"
 
 #include <algorithm>
 #include <cmath>
@@ -48,21 +49,7 @@ struct BrickNodes
   template <class Is>
   LIMPID_HD LIMPID_INLINE bool Any(const Int3& nodes, const Is& is) const
   {
-    for (int k = this->first.z; k <= this->last.z; ++k)
-    {
-      for (int j = this->first.y; j <= this->last.y; ++j)
-      {
-        const Index row = nodes.x * (j + Index(nodes.y) * k);
-        for (int i = this->first.x; i <= this->last.x; ++i)
-        {
-          if (is(row + i))
-          {
-            return true;
-          }
-        }
-      }
-    }
-    return false;
+    return IndexBox{ this->first, this->last }.Any(nodes, is);
   }
 };
 

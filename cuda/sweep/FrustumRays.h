@@ -20,6 +20,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -117,25 +118,13 @@ public:
   }
 
   /// Returns the tiles of a back-to-front sweep by slabs of so many slices; computed on first use.
-  const SlabPlan<AnyDevice>& SlabsFromBack(int slices)
+  const PhaseLists<AnyDevice>& SlabsFromBack(int slices)
   {
     if (!this->FromBack)
     {
-      this->FromBack = std::make_unique<SlabPlan<AnyDevice>>(
-        SlabPlan<AnyDevice>::FromBack(this->Device, this->Addresses, slices));
+      this->FromBack.emplace(ListSlabsFromBack(this->Device, this->Addresses, slices));
     }
     return *this->FromBack;
-  }
-
-  /// Those of a front-to-back sweep.
-  const SlabPlan<AnyDevice>& SlabsFromFront(int slices)
-  {
-    if (!this->FromFront)
-    {
-      this->FromFront = std::make_unique<SlabPlan<AnyDevice>>(
-        SlabPlan<AnyDevice>::FromFront(this->Device, this->Addresses, slices));
-    }
-    return *this->FromFront;
   }
 
   /// Returns the layers in which rays are active; computed on first use.
@@ -159,8 +148,7 @@ private:
   DeviceArray<AnyDevice, unsigned char> Tables;
   DeviceArray<AnyDevice, HatOfVoxel> Means;
   std::unique_ptr<TilePlan<AnyDevice>> Tiling;
-  std::unique_ptr<SlabPlan<AnyDevice>> FromBack;
-  std::unique_ptr<SlabPlan<AnyDevice>> FromFront;
+  std::optional<PhaseLists<AnyDevice>> FromBack;
   std::unique_ptr<ActiveLayers<AnyDevice>> Layering;
   FaceFrustum Addresses;
 };

@@ -8,7 +8,10 @@
 #define limpid_sweep_SlabTiles_h
 
 #include "sweep/FaceFrustum.h"
+#include "sweep/PhaseLists.h"
 #include "sweep/RayTiles.h"
+
+#include <memory>
 
 namespace limpid
 {
@@ -135,124 +138,14 @@ struct SlabTileHasWork
   }
 };
 
-/// For every slab of a front-to-back sweep and every row of rays: the columns between which rays
-/// have met anything before the end of the slab.
-struct DimmedRays
-{
-  const Range<int>* columns; ///< [slab][row]
-  int rows;
-
-  LIMPID_HD LIMPID_INLINE bool Any(
-    int slab, const Range<int>& among, const Range<int>& amongRows) const
-  {
-    return AnyRowMeets(
-      amongRows, among, [&](int row) { return this->columns[Index(slab) * this->rows + row]; });
-  }
-};
-
-/// Computes DimmedRays of a row.
-struct MadeDimmedRays
-{
-  SlabLayout<SlabsFromFront> layout;
-  Range<int>* columns; ///< see DimmedRays
-
-  LIMPID_HD void operator()(Index row) const
-  {
-    const FaceFrustum& plan = this->layout.frustum;
-    Range<int> met;
-    for (int slab = 0; slab < this->layout.slabs; ++slab)
-    {
-      const Range<int> slices = this->layout.SlabOf(slab);
-      for (int s = slices.begin; s < slices.end && s < plan.lastSlice; ++s)
-      {
-        met = Hull(met, plan.ActiveRays(s, static_cast<int>(row)));
-      }
-      this->columns[Index(slab) * plan.rows + row] = met;
-    }
-  }
-};
-
-/// Tells which tiles have work in a phase of a front-to-back sweep: rays that are active in the
-/// slab, or whose image differs from that of two slabs before, and voxels that read rays that have
-/// met anything.
-struct SlabTileIsDimmed
-{
-  SlabLayout<SlabsFromFront> layout;
-  DimmedRays dimmed;
-
-  LIMPID_HD LIMPID_INLINE bool operator()(int number, int phase) const
-  {
-    const SlabTile tile = this->layout.TileAt(phase, number);
-    if (tile.columns.Empty() || tile.rows.Empty())
-    {
-      return false;
-    }
-    return tile.hasRays ? this->MovesRays(tile) : this->DimsVoxels(tile, phase - 1);
-  }
-
-private:
-  LIMPID_HD LIMPID_INLINE bool MovesRays(const SlabTile& tile) const
-  {
-    const FaceFrustum& plan = this->layout.frustum;
-    const int slices = this->layout.slicesPerSlab;
-    const Range<int> layers{ (tile.place - 2) * slices - 1, (tile.place + 1) * slices };
-    if (AnyRayIsActive(plan, layers, tile.columns, tile.rows))
-    {
-      return true;
-    }
-    // The density of a ray that has met anything changes from slice to slice.
-    const bool nearSides = plan.IsNearSides(tile.columns.begin, tile.rows.begin) ||
-      plan.IsNearSides(tile.columns.end - 1, tile.rows.end - 1);
-    return nearSides && this->dimmed.Any(tile.place, tile.columns, tile.rows);
-  }
-
-  LIMPID_HD LIMPID_INLINE bool DimsVoxels(const SlabTile& tile, int slab) const
-  {
-    constexpr int beside = 3; // see FaceFrustum::IsNearSides
-    const FaceFrustum& plan = this->layout.frustum;
-    const Range<int> columns{ plan.AllColumnsAbout(tile.place, tile.columns.begin).begin - beside,
-      plan.AllColumnsAbout(tile.place, tile.columns.end - 1).end + beside };
-    const Range<int> rows{ plan.AllRowsAbout(tile.place, tile.rows.begin).begin - beside,
-      plan.AllRowsAbout(tile.place, tile.rows.end - 1).end + beside };
-    return this->dimmed.Any(slab, columns, Intersection(rows, Range<int>{ 0, plan.rows }));
-  }
-};
-
-/// The tiles that a sweep by slabs visits in each phase.
+/// Lists the tiles that a back-to-front sweep by slabs of so many slices visits.
 template <class AnyDevice>
-class SlabPlan
+PhaseLists<AnyDevice> ListSlabsFromBack(
+  const std::shared_ptr<AnyDevice>& device, const FaceFrustum& frustum, int slices)
 {
-public:
-  /// For a back-to-front sweep.
-  static SlabPlan FromBack(
-    const std::shared_ptr<AnyDevice>& device, const FaceFrustum& frustum, int slices)
-  {
-    const SlabLayout<SlabsFromBack> layout(frustum, slices);
-    return { device, layout, SlabTileHasWork{ layout } };
-  }
-
-  /// For a front-to-back sweep.
-  static SlabPlan FromFront(
-    const std::shared_ptr<AnyDevice>& device, const FaceFrustum& frustum, int slices)
-  {
-    const SlabLayout<SlabsFromFront> layout(frustum, slices);
-    DeviceArray<AnyDevice, Range<int>> dimmed(
-      device, std::size_t(layout.slabs) * std::size_t(frustum.rows), "the plan of a sweep");
-    device->ForIndices("plan", frustum.rows, MadeDimmedRays{ layout, dimmed.Data() });
-    return { device, layout, SlabTileIsDimmed{ layout, { dimmed.Data(), frustum.rows } } };
-  }
-
-  PhasesOfTiles Lists() const { return this->Phases.Lists(); }
-
-private:
-  template <class Layout, class Mark>
-  SlabPlan(const std::shared_ptr<AnyDevice>& device, const Layout& layout, const Mark& mark)
-    : Phases(device, layout.TileCount(), layout.PhaseCount(), mark)
-  {
-  }
-
-  PhaseLists<AnyDevice> Phases;
-};
+  const SlabLayout<SlabsFromBack> layout(frustum, slices);
+  return { device, layout.TileCount(), layout.PhaseCount(), SlabTileHasWork{ layout } };
+}
 }
 
 #endif

@@ -10,10 +10,13 @@
 
 #include "backend/Extent.h"
 #include "sweep/ActiveLayers.h"
+#include "sweep/DimmedTiles.h"
 #include "sweep/RayHere.h"
 #include "sweep/RaySampler.h"
 #include "sweep/SlabImages.h"
 #include "sweep/SlabTiles.h"
+
+#include <memory>
 
 namespace limpid
 {
@@ -221,18 +224,22 @@ void SweepBackward(
 }
 
 /// Front to back over all slices, including the source's own. Visits the tiles of rays and voxels
-/// that have work: voxels behind nothing keep their values.
+/// that have work: voxels behind nothing keep their values. `dimming`: blocks of the field that
+/// dims the rays.
 template <class AnyDevice, class Kernel>
-void SweepFrontToBack(AnyDevice& device, FrustumRays<AnyDevice>& rays, const Kernel& kernel)
+void SweepFrontToBack(const std::shared_ptr<AnyDevice>& device, FrustumRays<AnyDevice>& rays,
+  const FieldBlocks<AnyDevice>& dimming, const Kernel& kernel)
 {
   using Images = detail::SlabImages<Kernel>;
   const int slices = Images::SlicesFor(rays.Plan().RayCount());
   DeviceArray<AnyDevice, float> room = Images::RoomFor(rays, slices);
+  const PhaseLists<AnyDevice> tiles =
+    ListSlabsFromFront(device, rays.Plan(), slices, dimming.Blocks());
   const detail::SweptSlabs<detail::FrontToBack, Kernel> slabs(
-    rays, slices, room.Data(), kernel, rays.SlabsFromFront(slices).Lists());
-  device.ForIndices(Kernel::label, rays.Plan().RayCount(),
+    rays, slices, room.Data(), kernel, tiles.Lists());
+  device->ForIndices(Kernel::label, rays.Plan().RayCount(),
     detail::StartedRay<StartInFront, Kernel>{ slabs.states, kernel, slabs.images });
-  device.ForTiles(Kernel::label, slabs);
+  device->ForTiles(Kernel::label, slabs);
 }
 }
 

@@ -8,10 +8,12 @@
 #define limpid_sweep_SweepRows_h
 
 #include "backend/Backend.h"
+#include "sweep/DimmedTiles.h"
 #include "sweep/FrustumRays.h"
 #include "sweep/VoxelRow.h"
 
 #include <algorithm>
+#include <memory>
 #include <vector>
 
 namespace limpid
@@ -276,7 +278,8 @@ void SweepBackward(HostDevice& device, FrustumRays<HostDevice>& rays, const Occu
 /// Front to back over all slices, including the source's own. On each slice the kernel sets the
 /// values that voxels read and moves the rays on (RayStep); then it visits the voxels.
 template <class Kernel>
-void SweepFrontToBack(HostDevice&, FrustumRays<HostDevice>& rays, const Kernel& kernel)
+void SweepFrontToBack(const std::shared_ptr<HostDevice>&, FrustumRays<HostDevice>& rays,
+  const FieldBlocks<HostDevice>&, const Kernel& kernel)
 {
   const FaceFrustum& frustum = rays.Plan();
   const RayStates states = rays.States();

@@ -62,9 +62,9 @@ light take {1e3 * measured['plan']:.1f} ms on this machine's processor.
 
 Share of the visited tiles of rays and voxels that have something to do, of how many are visited (and
 how many there are); for the original extinction. *Policy sweep*: from the camera. *Derivative*:
-from the light. *Transmittance*: shadows, whose plan counts everything as filled so that it stays
-valid while the extinction changes; their tiles of voxels have something to do where anything dims
-them. *Shadows write*: bytes to memory or cache, values of rays between slabs among them.
+from the light. *Transmittance*: shadows, whose tiles are listed anew for each extinction. Their rays
+have something to do where they meet any extinction, and, near the sides of the box, on every slice
+behind that; their voxels, where anything dims them. *Shadows write*: bytes to memory or cache, values of rays between slabs among them.
 {tiles_table(measured['tiles'])}
 ## A ray on a slice, a voxel
 
