@@ -5,6 +5,7 @@
 
 #include "optimize/ClosedForm.h"
 
+#include "optimize/Iterate.h"
 #include "optimize/Terms.h"
 
 #include <utility>
@@ -21,19 +22,20 @@ public:
     : Given(problem)
     , Device(std::move(device))
     , Energy(this->Device, problem)
-    , Found(problem.baseExtinction, problem.baseExtinction + problem.grid.NodeCount())
+    , Found(this->Device, this->Energy.Fields().base.Size(), "the extinction")
   {
+    this->Device->Copy(
+      this->Found.Data(), this->Energy.Fields().base.Data(), this->Found.Size() * sizeof(float));
   }
 
   IterationRecord Start() override { return this->Energy.MeasureBase(); }
 
   IterationRecord Iterate() override
   {
-    DeviceArray<AnyDevice, float> there(this->Device, this->Found, "the extinction");
-    FindByMethod(this->Device, this->Given, this->Energy.Fields(), there.Data());
-    IterationRecord record = this->Energy.Measure(there.Data());
+    FindByMethod(this->Device, this->Given, this->Energy.Fields(), this->Found.Data());
+    IterationRecord record = this->Energy.Measure(this->Found.Data());
     record.isResult = true;
-    there.Download(this->Found.data());
+    this->OnHost.clear();
     this->IsFound = true;
     return record;
   }
@@ -42,14 +44,39 @@ public:
   Score BaseScore() const override { return this->Energy.BaseScore(); }
   bool Converged() const override { return this->IsFound; }
   int IterationLimit() const override { return 1; }
-  const std::vector<float>& Best() const override { return this->Found; }
-  std::vector<float> TakeBest() override { return std::move(this->Found); }
+
+  const std::vector<float>& Best() const override
+  {
+    if (this->OnHost.empty())
+    {
+      this->OnHost =
+        limpid::OnHost(*this->Device, this->Found.Data(), static_cast<Index>(this->Found.Size()));
+    }
+    return this->OnHost;
+  }
+
+  std::vector<float> TakeBest() override
+  {
+    this->Best();
+    return std::move(this->OnHost);
+  }
+
+  ExtinctionOnDevice BestOnDevice() const override
+  {
+    return PlaceOnDevice(this->Energy.Fields(), this->Found.Data());
+  }
+
+  FoundExtinction TakeResult() override
+  {
+    return TakeResultOf(*this, this->Device, this->Energy.SharedFields(), std::move(this->Found));
+  }
 
 private:
   const Problem& Given;
   std::shared_ptr<AnyDevice> Device;
   Terms<AnyDevice> Energy;
-  std::vector<float> Found; ///< initially the base extinction
+  DeviceArray<AnyDevice, float> Found; ///< initially the base extinction
+  mutable std::vector<float> OnHost;   ///< empty until requested
   bool IsFound = false;
 };
 }

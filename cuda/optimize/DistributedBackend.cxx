@@ -207,7 +207,7 @@ public:
     SweepSubdomains(this->Term.Frusta(), piece, this->Occupied.get());
   }
 
-  Score ScoreOf(const float* extinction) override
+  Score ScoreOf(const ExtinctionInPlace& extinction) override
   {
     const SmallPages small;
     const float* base = There(this->Given->baseExtinction);
@@ -216,11 +216,11 @@ public:
       this->Base = this->See(base, nullptr).all;
     }
     // A rank with an empty subdomain cannot tell whether this is the base extinction.
-    if (!this->Ranks->AnyOf(extinction != this->Given->baseExtinction))
+    if (!this->Ranks->AnyOf(extinction.values != this->Given->baseExtinction))
     {
       return ScoreOfBase(*this->Base);
     }
-    return limpid::ScoreOf(this->See(There(extinction), base), this->Base->unattenuated);
+    return limpid::ScoreOf(this->See(There(extinction.values), base), this->Base->unattenuated);
   }
 
   Ceiling CeilingOf(const float* least, const MostExtinction<float>& most) override

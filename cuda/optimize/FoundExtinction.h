@@ -18,6 +18,23 @@ struct ExtinctionOnDevice
   const float* extinction = nullptr;
 };
 
+/// An extinction to read where it is, one value per node [1/length].
+struct ExtinctionInPlace
+{
+  const float* values = nullptr;
+  bool onDevice = false; ///< whether they are in the memory of the device that computes
+
+  ExtinctionInPlace(const float* onHost)
+    : values(onHost)
+  {
+  }
+  explicit ExtinctionInPlace(const ExtinctionOnDevice& there)
+    : values(there.extinction)
+    , onDevice(true)
+  {
+  }
+};
+
 /// An extinction that was found on a device and is still there.
 class DeviceResult
 {
@@ -48,6 +65,12 @@ public:
   ExtinctionOnDevice OnDevice() const
   {
     return this->There ? this->There->Fields() : ExtinctionOnDevice();
+  }
+
+  /// Where it can be read without a transfer.
+  ExtinctionInPlace InPlace() const
+  {
+    return this->There ? ExtinctionInPlace(this->There->Fields()) : this->Values.data();
   }
 
   /// Empty if nothing was found. The values are downloaded on the first call only.

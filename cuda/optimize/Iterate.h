@@ -77,6 +77,30 @@ private:
   std::shared_ptr<ProblemFields<AnyDevice>> Given;
   DeviceArray<AnyDevice, float> Found;
 };
+
+/// Returns where an iterate of a minimiser is on a device; null pointers if that reads the host's.
+template <class AnyDevice>
+ExtinctionOnDevice PlaceOnDevice(const ProblemFields<AnyDevice>& fields, const float* iterate)
+{
+  return BorrowedArray<AnyDevice, float>::isCopy ? ExtinctionOnDevice{ fields.base.Data(), iterate }
+                                                 : ExtinctionOnDevice();
+}
+
+/// Moves the best iterate of a minimiser out, see Minimizer::TakeResult. `own`: its values, empty
+/// if it is the base extinction.
+template <class AnyDevice>
+FoundExtinction TakeResultOf(Minimizer& minimizer, const std::shared_ptr<AnyDevice>& device,
+  const std::shared_ptr<ProblemFields<AnyDevice>>& fields, DeviceArray<AnyDevice, float>&& own)
+{
+  if constexpr (BorrowedArray<AnyDevice, float>::isCopy)
+  {
+    return FoundExtinction(std::make_unique<ResultOn<AnyDevice>>(device, fields, std::move(own)));
+  }
+  else
+  {
+    return minimizer.TakeBest();
+  }
+}
 }
 
 #endif

@@ -166,24 +166,13 @@ public:
 
   ExtinctionOnDevice BestOnDevice() const override
   {
-    if (AnyDevice::readsHostMemory)
-    {
-      return {};
-    }
-    return { this->Energy.Fields().base.Data(), this->Iterates[this->BestOf].values };
+    return PlaceOnDevice(this->Energy.Fields(), this->Iterates[this->BestOf].values);
   }
 
   FoundExtinction TakeResult() override
   {
-    if constexpr (AnyDevice::readsHostMemory)
-    {
-      return this->TakeBest();
-    }
-    else
-    {
-      return FoundExtinction(std::make_unique<ResultOn<AnyDevice>>(
-        this->Device, this->Energy.SharedFields(), std::move(this->Iterates[this->BestOf].own)));
-    }
+    return TakeResultOf(*this, this->Device, this->Energy.SharedFields(),
+      std::move(this->Iterates[this->BestOf].own));
   }
 
 private:

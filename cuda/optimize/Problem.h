@@ -201,6 +201,14 @@ public:
   /// pointers if it is on the host.
   virtual ExtinctionOnDevice BestOnDevice() const { return {}; }
 
+  /// Returns the best iterate where it can be read without a transfer; valid until the next
+  /// iteration.
+  ExtinctionInPlace BestInPlace() const
+  {
+    const ExtinctionOnDevice there = this->BestOnDevice();
+    return there.extinction ? ExtinctionInPlace(there) : this->Best().data();
+  }
+
   /// Moves the best iterate out; this object must not be used afterwards.
   virtual std::vector<float> TakeBest() = 0;
 

@@ -369,6 +369,17 @@ const float* Progressive::FoundForCamera() const
   return this->BaseExtinction();
 }
 
+/// Returns the extinction found for the camera. `onGpu`: whether it can be read on the device.
+ExtinctionInPlace Progressive::FoundInPlace(bool onGpu) const
+{
+  const Internals& state = *this->State;
+  const ExtinctionOnDevice there = !onGpu ? ExtinctionOnDevice()
+    : state.shown == Shown::Solver        ? state.solver->OnDevice()
+    : state.shown == Shown::Kept          ? state.kept[0].OnDevice()
+                                          : ExtinctionOnDevice();
+  return there.extinction ? ExtinctionInPlace(there) : this->FoundForCamera();
+}
+
 const float* Progressive::FoundForLight() const
 {
   const Internals& state = *this->State;
@@ -483,7 +494,8 @@ Scores Progressive::ScoresWith(
   const auto score = [&]() -> Scores
   {
     const std::unique_ptr<SourceSweeps> sweeps = backend->SweepsFromCameras(problem);
-    return { sweeps->ScoreOf(this->BaseExtinction()), sweeps->ScoreOf(this->FoundForCamera()) };
+    return { sweeps->ScoreOf(this->BaseExtinction()),
+      sweeps->ScoreOf(this->FoundInPlace(backend.IsOnGpu())) };
   };
   return backend.Do(score, [] {});
 }

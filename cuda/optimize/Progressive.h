@@ -126,6 +126,7 @@ private:
   CarriedChange FoundChange() const;
   const float* FoundForCamera() const;
   const float* FoundForLight() const;
+  ExtinctionInPlace FoundInPlace(bool onGpu) const;
   Score FoundScore() const;
   bool IsJudged() const;
   bool StaysNear() const;

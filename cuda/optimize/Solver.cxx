@@ -155,7 +155,7 @@ Score Solver::BestScore() const
   Internals& state = *this->State;
   if (!state.best)
   {
-    state.OnBackend([&] { state.best = state.ScoreOf(state.Extinction().data()); });
+    state.OnBackend([&] { state.best = state.ScoreOf(state.InPlace()); });
     if (state.done)
     {
       state.judge.reset();

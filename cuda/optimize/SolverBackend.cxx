@@ -35,14 +35,14 @@ public:
   {
   }
 
-  Score ScoreOf(const float* extinction) override
+  Score ScoreOf(const ExtinctionInPlace& extinction) override
   {
     const float* base = this->Fields->base.Data();
     if (!this->Base)
     {
       this->Base = this->See(base, nullptr).all;
     }
-    if (extinction == this->Given.baseExtinction)
+    if (extinction.values == this->Given.baseExtinction || extinction.values == base)
     {
       return ScoreOfBase(*this->Base);
     }
@@ -51,7 +51,11 @@ public:
       return limpid::ScoreOf(
         see(SceneOf(this->Device, this->Given, *this->Fields)), this->Base->unattenuated);
     }
-    const BorrowedArray<AnyDevice, float> field(this->Device, extinction,
+    if (extinction.onDevice)
+    {
+      return limpid::ScoreOf(this->See(extinction.values, base), this->Base->unattenuated);
+    }
+    const BorrowedArray<AnyDevice, float> field(this->Device, extinction.values,
       static_cast<std::size_t>(this->Given.grid.NodeCount()), "the extinction");
     return limpid::ScoreOf(this->See(field.Data(), base), this->Base->unattenuated);
   }

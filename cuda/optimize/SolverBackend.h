@@ -24,10 +24,9 @@ class SourceSweeps
 public:
   virtual ~SourceSweeps() = default;
 
-  /// Returns the score of an extinction, grid.NodeCount() values [1/length], by the measure of the
-  /// problem's method. The first call also sweeps the base extinction, unless that is
-  /// `extinction`.
-  virtual Score ScoreOf(const float* extinction) = 0;
+  /// Returns the score of an extinction, grid.NodeCount() values, by the measure of the problem's
+  /// method. The first call also sweeps the base extinction, unless that is `extinction`.
+  virtual Score ScoreOf(const ExtinctionInPlace& extinction) = 0;
 
   /// Returns the ceiling of the source over all extinctions above a lower bound, grid.NodeCount()
   /// values [1/length]; null stands for 0.
@@ -105,6 +104,9 @@ public:
     restore();
     return work();
   }
+
+  /// Whether fields are in the memory of the shared device, see ExtinctionOnDevice.
+  bool IsOnGpu() const { return this->OnGpu; }
 
   /// One line for the user.
   const std::string& Name() const { return this->Line; }

@@ -224,7 +224,7 @@ struct Solver::Internals
   /// Whether the method iterates to minimise Eq. (21); other methods have one iteration.
   bool Minimizes() const { return InfoOf(this->settings.method).iterates; }
 
-  Score ScoreOf(const float* field) const
+  Score ScoreOf(const ExtinctionInPlace& field) const
   {
     return this->ScoreBy(this->judge, field,
       [this]
@@ -232,7 +232,7 @@ struct Solver::Internals
   }
 
   /// ScoreOf with the sampling of iterations.
-  Score ScoreOfIterate(const float* field) const
+  Score ScoreOfIterate(const ExtinctionInPlace& field) const
   {
     if (this->SamplesAsScores())
     {
@@ -248,7 +248,8 @@ struct Solver::Internals
   }
 
   template <class MakeProblem>
-  Score ScoreBy(std::unique_ptr<Judge>& by, const float* field, const MakeProblem& make) const
+  Score ScoreBy(
+    std::unique_ptr<Judge>& by, const ExtinctionInPlace& field, const MakeProblem& make) const
   {
     if (!by)
     {
@@ -263,6 +264,13 @@ struct Solver::Internals
   const std::vector<float>& Extinction() const
   {
     return this->minimizer && !this->lightRun ? this->minimizer->Best() : this->extinction.OnHost();
+  }
+
+  /// Extinction, where it can be read without a transfer.
+  ExtinctionInPlace InPlace() const
+  {
+    return this->minimizer && !this->lightRun ? this->minimizer->BestInPlace()
+                                              : this->extinction.InPlace();
   }
 
   void FindTransmittance(bool ofLight, float* transmittance) const
@@ -374,7 +382,7 @@ struct Solver::Internals
     {
       const bool isKnown = record.level == 0 && !better;
       record.score =
-        isKnown ? this->history.back().score : this->ScoreOfIterate(this->minimizer->Best().data());
+        isKnown ? this->history.back().score : this->ScoreOfIterate(this->minimizer->BestInPlace());
     }
   }
 
@@ -393,7 +401,7 @@ struct Solver::Internals
   /// Replaces the view term of the energy by the score of the method's own measure.
   void Judged(IterationRecord& record) const
   {
-    record.score = this->ScoreOf(this->minimizer->Best().data());
+    record.score = this->ScoreOf(this->minimizer->BestInPlace());
     record.energy.view = -this->settings.weights.view * record.score.visibility; // Eq. (23)
   }
 
@@ -434,7 +442,7 @@ struct Solver::Internals
   {
     if (!this->best)
     {
-      this->best = this->ScoreOf(this->extinction.OnHost().data());
+      this->best = this->ScoreOf(this->extinction.InPlace());
     }
     return *this->best;
   }

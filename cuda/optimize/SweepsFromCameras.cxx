@@ -22,7 +22,7 @@ public:
   {
   }
 
-  Score ScoreOf(const float* extinction) override
+  Score ScoreOf(const ExtinctionInPlace& extinction) override
   {
     std::vector<Score> scores;
     for (const auto& camera : this->Cameras)
