@@ -63,6 +63,21 @@ void RequireWritten(bool good, const std::string& path)
     good, "The file " << path << " cannot be written (the results would be lost). Choose another.");
 }
 
+/// What is written, before it replaces the file.
+std::string Unfinished(const std::string& path)
+{
+  return path + ".part";
+}
+
+/// Throws if no file can be written there; leaves none that is empty.
+void RequireWritable(const std::string& path)
+{
+  const std::string unfinished = Unfinished(path);
+  RequireWritten(
+    !std::filesystem::is_directory(path) && std::ofstream(unfinished, std::ios::app).good(), path);
+  std::filesystem::remove(unfinished);
+}
+
 /// Replaces the file as a whole, so that it is complete whenever this program ends.
 void Save(const std::string& path, const Json& json)
 {
@@ -72,7 +87,7 @@ void Save(const std::string& path, const Json& json)
     std::cout << text << std::endl;
     return;
   }
-  const std::string unfinished = path + ".part";
+  const std::string unfinished = Unfinished(path);
   RequireWritten((std::ofstream(unfinished) << text << std::endl).good(), path);
   std::error_code failed;
   std::filesystem::rename(unfinished, path, failed);
@@ -198,8 +213,7 @@ int RunProgram(int argc, char* argv[], const Options::Table& known, const Measur
     const auto saveInFile = [&] { toFile ? save() : void(); };
     if (toFile)
     {
-      const std::string path = options.Text("output");
-      RequireWritten(std::ofstream(path, std::ios::app).good(), path);
+      RequireWritable(options.Text("output"));
     }
     measure(options, results, saveInFile);
     save();

@@ -337,6 +337,7 @@ void MeasureView(const SceneForSolver& scene, const Effort& effort, Json& result
   try
   {
     const std::vector<float> found = MeasureRun(scene, effort, result);
+    save();
     MeasurePictures(MakeTestedDevice(), scene, found, effort, result);
     save();
     result["frame"] = MeasureFrame(scene, effort);

@@ -47,8 +47,10 @@ def main():
         if measured is None:
             continue
         path = os.path.join(options.folder, page.capitalize() + ".md")
-        with open(path, "w", encoding="utf-8") as file:
-            file.write(text_of(page, measured))
+        text = text_of(page, measured)
+        with open(path + ".part", "w", encoding="utf-8") as file:
+            file.write(text)
+        os.replace(path + ".part", path)  # it is complete whenever this program ends
         print(path)
         if page in PLOTTED and not options.no_plots:
             plots = os.path.join(options.folder, "Plots")
