@@ -7,6 +7,7 @@
 #include "sweep/FieldSlabs.h"
 #include "sweep/PlanSweep.h"
 #include "sweep/Registers.h"
+#include "sweep/VoxelSpans.h"
 
 #include <gtest/gtest.h>
 
@@ -111,7 +112,7 @@ int WrongValues(
         }
         const Range<int> owned = slice.ownedColumns;
         const Range<int> filled =
-          Intersection(SpansOf(frustum, occupancy, slice.node)[v].filled, owned);
+          Intersection(SpansOf(frustum, occupancy.Along(frustum.axisU), slice.node)[v].filled, owned);
         const Range<int> written = WholeRegisters(filled, owned);
         if (scribble && s < slab.end && !filled.Empty())
         {

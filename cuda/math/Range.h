@@ -43,7 +43,7 @@ struct Range
 };
 
 /// Returns a range widened by `more` on either side, within [0, end); an empty range is unchanged.
-inline Range<int> Grown(const Range<int>& range, int more, int end)
+LIMPID_HD LIMPID_INLINE Range<int> Grown(const Range<int>& range, int more, int end)
 {
   return range.Empty()
     ? range

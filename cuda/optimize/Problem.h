@@ -28,8 +28,8 @@ struct PermutedFields;
 /// Data that solvers cache for all problems of a scene.
 struct Resident
 {
+  ResidentCopy fields; ///< ProblemFields of a GPU
   std::mutex access;
-  std::shared_ptr<void> fields;                   ///< of a type that only the GPU solver knows
   std::shared_ptr<const PermutedFields> permuted; ///< cached by the processor's solver
 };
 

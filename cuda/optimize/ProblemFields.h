@@ -41,14 +41,7 @@ struct ProblemFields
     {
       return std::make_shared<ProblemFields>(device, problem);
     }
-    const std::lock_guard<std::mutex> lock(problem.resident->access);
-    auto fields = std::static_pointer_cast<ProblemFields>(problem.resident->fields);
-    if (!fields || fields->where != device)
-    {
-      fields = std::make_shared<ProblemFields>(device, problem);
-      problem.resident->fields = fields;
-    }
-    return fields;
+    return problem.resident->fields.template On<ProblemFields>(device, problem);
   }
 };
 

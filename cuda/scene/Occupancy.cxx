@@ -122,8 +122,8 @@ void Occupancy::CountAll()
 {
   const Range<int> x{ 0, this->Nodes.x };
   const Range<int> y{ 0, this->Nodes.y };
-  std::fill(this->AlongX.begin(), this->AlongX.end(), Spans{ x, x });
-  std::fill(this->AlongY.begin(), this->AlongY.end(), Spans{ y, y });
+  this->AlongX = { Spans{ x, x } };
+  this->AlongY = { Spans{ y, y } };
 }
 
 OccupancyBuilder::OccupancyBuilder(const Grid& grid)

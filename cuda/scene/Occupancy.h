@@ -4,10 +4,12 @@
 #ifndef limpid_scene_Occupancy_h
 #define limpid_scene_Occupancy_h
 
+#include "backend/ResidentCopy.h"
 #include "math/Range.h"
 #include "scene/Grid.h"
 #include "scene/NodeBox.h"
 
+#include <memory>
 #include <vector>
 
 namespace limpid
@@ -36,16 +38,42 @@ public:
   Occupancy(const Grid& grid, std::vector<Spans> alongX, std::vector<Spans> alongY, Index filled,
     bool skip);
 
+  /// The spans of all rows along an axis, for kernels; valid as long as the memory they are in.
+  /// Where every voxel counts as occupied, all rows share one entry.
+  struct Rows
+  {
+    const Spans* spans;
+    Index stride; ///< between rows with neighbouring indices along the last axis
+    Index step;   ///< along the other axis
+
+    LIMPID_HD LIMPID_INLINE const Spans& At(int first, int second) const
+    {
+      return this->spans[second * this->stride + first * this->step];
+    }
+  };
+
+  /// The rows along grid axis `alongAxis` (0 or 1).
+  Rows Along(int alongAxis) const
+  {
+    return { this->AllAlong(alongAxis).data(),
+      this->Skip ? (alongAxis == 0 ? this->Nodes.y : this->Nodes.x) : 0, this->Skip ? 1 : 0 };
+  }
+
+  /// The memory of Along.
+  const std::vector<Spans>& AllAlong(int alongAxis) const
+  {
+    return alongAxis == 0 ? this->AlongX : this->AlongY;
+  }
+
   /// Returns the ranges of the row of voxels along grid axis `alongAxis` (0 or 1). `first` and
   /// `second` are its indices along the two other axes, lower axis first.
   const Spans& Row(int alongAxis, int first, int second) const
   {
-    return alongAxis == 0 ? this->AlongX[std::size_t(second) * this->Nodes.y + first]
-                          : this->AlongY[std::size_t(second) * this->Nodes.x + first];
+    return this->Along(alongAxis).At(first, second);
   }
 
-  /// Distance in memory between rows with neighbouring indices along the last axis.
-  Index RowStride(int alongAxis) const { return alongAxis == 0 ? this->Nodes.y : this->Nodes.x; }
+  /// What a GPU keeps of this occupancy and its copies.
+  ResidentCopy& OnDevice() const { return *this->Resident; }
 
   bool Skips() const { return this->Skip; }
   Index FilledVoxels() const { return this->Filled; } ///< number of voxels that may change
@@ -60,8 +88,9 @@ private:
   Int3 Nodes;
   bool Skip = true;
   Index Filled = 0;
-  std::vector<Spans> AlongX; ///< [z][y]
-  std::vector<Spans> AlongY; ///< [z][x]
+  std::vector<Spans> AlongX; ///< [z][y]; one entry if every voxel counts as occupied
+  std::vector<Spans> AlongY; ///< [z][x]; likewise
+  std::shared_ptr<ResidentCopy> Resident = std::make_shared<ResidentCopy>();
 };
 
 /// Builds an Occupancy from voxels that arrive slice by slice.

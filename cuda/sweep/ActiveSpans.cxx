@@ -7,6 +7,7 @@
 #include "backend/Simd.h"
 #include "sweep/OccupiedRays.h"
 #include "sweep/Registers.h"
+#include "sweep/SliceReaders.h"
 
 #include <algorithm>
 #include <vector>
@@ -30,93 +31,6 @@ void ExtendRows(const ColumnSpans& by, int count, const ColumnSpans& spans)
   }
 }
 
-/// The voxels of a slice along one axis that read its rays.
-struct AxisReaders
-{
-  const int* index;       ///< of the map from voxels to rays
-  const int* firstVoxels; ///< see FaceFrustum::firstVoxels
-  int nodes;
-  Range<int> owned;    ///< voxels that the frustum owns
-  Range<int> sides[2]; ///< owned voxels that are not between rays that enter in front
-
-  /// `front`: rays that enter in front; `described`: rays that the slice describes.
-  AxisReaders(const int* indices, const int* first, int count, const Range<int>& ownVoxels,
-    const Range<int>& front, const Range<int>& described)
-    : index(indices)
-    , firstVoxels(first)
-    , nodes(count)
-    , owned(ownVoxels)
-  {
-    const auto firstOf = [&](int ray)
-    { return first[std::min(std::max(ray, described.begin), described.end)]; };
-    const Range<int> between =
-      front.Empty() ? Range<int>{} : Range<int>{ firstOf(front.begin), firstOf(front.end - 1) };
-    const Range<int> inFront =
-      between.Empty() ? Range<int>{ ownVoxels.end, ownVoxels.end } : between;
-    this->sides[0] = Intersection(ownVoxels, { 0, inFront.begin });
-    this->sides[1] = Intersection(ownVoxels, { inFront.end, count });
-  }
-
-  /// Returns the rays that a voxel reads together with any of `rays`. A voxel reads the rays
-  /// around itself and around its neighbours (VoxelRow::FindSeen).
-  Range<int> ReadWith(const Range<int>& rays, const Range<int>& voxels) const
-  {
-    const Range<int> read = Intersection(rays, this->ReadBy(voxels));
-    if (read.Empty())
-    {
-      return {};
-    }
-    return this->ReadBy(Intersection(voxels,
-      { this->firstVoxels[std::max(read.begin - 1, 0)] - 1, this->firstVoxels[read.end] + 1 }));
-  }
-
-private:
-  Range<int> ReadBy(const Range<int>& voxels) const
-  {
-    return voxels.Empty() ? Range<int>{}
-                          : Range<int>{ this->index[std::max(voxels.begin - 1, 0)],
-                              this->index[std::min(voxels.end, this->nodes - 1)] + 2 };
-  }
-};
-
-/// The voxels of a slice that read its rays.
-struct SliceReaders
-{
-  AxisReaders rows;
-  AxisReaders columns;
-  ColumnSpans needed; ///< rays that have importance behind them
-
-  /// Returns the rays of a row whose transmittance voxels read together with needed rays. This
-  /// matters between rays that enter through a side, even if such a ray sees nothing: there the
-  /// mean over rays is scaled (VoxelRow::FindSeen).
-  Range<int> ReadWithNeeded(int row) const
-  {
-    const Range<int> here = this->NeededBy(this->rows.owned, row);
-    Range<int> read;
-    for (int side = 0; side < 2 && !here.Empty(); ++side)
-    {
-      const Range<int> there = this->NeededBy(this->rows.sides[side], row);
-      read = Hull(read, this->columns.ReadWith(there, this->columns.owned));
-      read = Hull(read, this->columns.ReadWith(here, this->columns.sides[side]));
-    }
-    return read;
-  }
-
-private:
-  /// Returns the hull of the needed columns in all rows that voxels read together with this row.
-  Range<int> NeededBy(const Range<int>& voxels, int row) const
-  {
-    const Range<int> read = this->rows.ReadWith({ row, row + 1 }, voxels);
-    Range<int> hull{ noColumn, -noColumn };
-    for (int other = read.begin; other < read.end; ++other)
-    {
-      hull = { std::min(hull.begin, this->needed.begins[other]),
-        std::max(hull.end, this->needed.ends[other]) };
-    }
-    return hull;
-  }
-};
-
 /// Rays that have not entered the box at a given depth.
 struct Outside
 {
@@ -137,8 +51,9 @@ void CarryRows(const Outside& outside, int count, int columns, const ColumnSpans
   const Range<int> some = outside.columns;
   for (int i = 0; i < count; ++i)
   {
-    const int begin = needed[i].begin < begins[i] ? needed[i].begin : begins[i];
-    const int end = needed[i].end > ends[i] ? needed[i].end : ends[i];
+    const bool any = needed[i].begin < needed[i].end;
+    const int begin = any && needed[i].begin < begins[i] ? needed[i].begin : begins[i];
+    const int end = any && needed[i].end > ends[i] ? needed[i].end : ends[i];
     needed[i].begin = begin;
     needed[i].end = end;
     const bool all = entries[i] > depth;
@@ -207,13 +122,11 @@ VisitedRays ExtentOf(const Range<int>* active, int count)
 class ActiveSpanFinder
 {
 public:
-  ActiveSpanFinder(PlannedFrustum& frustum, const Occupancy& occupancy, Readers readers)
+  ActiveSpanFinder(PlannedFrustum& frustum, const Occupancy& occupancy)
     : Target(frustum)
-    , ReadByVoxels(readers == Readers::RaysAndVoxels)
     , Skips(occupancy.Skips())
     , Slices(frustum.SliceCount())
     , Occupied(frustum, occupancy)
-    , Outsides(this->FindOutsides())
     , Blocks((frustum.rows + rowsPerBlock - 1) / rowsPerBlock)
     , Extents(std::size_t(this->Blocks))
   {
@@ -222,19 +135,20 @@ public:
   void Find()
   {
     this->FindFirstRows();
-    this->ForBlocks([&](Index, const Range<int>& rows) { this->FollowToFront(rows); });
+    this->ForBlocks([&](Index block, const Range<int>& rows)
+      { this->FollowToFront(this->Target.LayersOfBlock(block), rows); });
     this->ForBlocks(
       [&](Index block, const Range<int>& rows)
       {
-        this->Activate(rows);
-        this->FollowToBack(rows, this->Extents[std::size_t(block)]);
+        Extent& extent = this->Extents[std::size_t(block)];
+        extent.slices = this->Target.LayersOfBlock(block);
+        this->Activate(extent.slices, rows);
+        this->FollowToBack(rows, extent);
       });
     this->FindTouched();
   }
 
 private:
-  static constexpr int rowsPerBlock = 64;
-
   /// What a block of rows visits.
   struct Extent
   {
@@ -254,45 +168,10 @@ private:
       });
   }
 
-  /// Returns the columns of rays that enter the box in u behind each slice. They are contiguous,
-  /// as these rays all come from the same side.
-  std::vector<Range<int>> FindOutsides() const
-  {
-    const float* entry = this->Target.Row(this->Target.columnEntry);
-    std::vector<Range<int>> outsides;
-    Range<int> outside{ 0, this->Target.columns };
-    for (int s = 0; s < this->Slices; ++s)
-    {
-      const float depth = this->Target.SliceAt(s).RelativeDepth();
-      const auto inside = [&](int column) { return !(entry[column] > depth); };
-      while (!outside.Empty() && inside(outside.begin))
-      {
-        ++outside.begin;
-      }
-      while (!outside.Empty() && inside(outside.end - 1))
-      {
-        --outside.end;
-      }
-      outsides.push_back(outside);
-    }
-    return outsides;
-  }
-
   Range<int>* ActiveOf(int s, int row)
   {
     return this->Target.Room(this->Target.activeRays, s) +
       (row - this->Target.SliceAt(s).rayRows.begin);
-  }
-
-  /// Slices that describe any of some rows.
-  Range<int> SlicesOf(const Range<int>& rows) const
-  {
-    Range<int> slices;
-    for (int row = rows.begin; row < rows.end; ++row)
-    {
-      slices = Hull(slices, this->Target.LayersOf(row));
-    }
-    return slices;
   }
 
   /// Those of some rows that a slice describes.
@@ -308,9 +187,8 @@ private:
   }
 
   /// Extends the important spans of each slice by those of all slices behind it.
-  void FollowToFront(const Range<int>& rows)
+  void FollowToFront(const Range<int>& slices, const Range<int>& rows)
   {
-    const Range<int> slices = this->SlicesOf(rows);
     for (int s = slices.end - 2; s >= slices.begin; --s)
     {
       const Range<int> both = this->RowsOn(s + 1, this->RowsOn(s, rows));
@@ -336,14 +214,13 @@ private:
   }
 
   /// Whether voxels of a slice read rays.
-  bool IsRead(int s) const { return this->ReadByVoxels && this->Target.SliceAt(s).node >= 0; }
+  bool IsRead(int s) const { return this->Target.HasVoxels() && this->Target.SliceAt(s).node >= 0; }
 
   /// Finds the active columns of every row: the needed ones, and all rays whose transmittance
   /// voxels read together with them. Rays that are active on a slice stay active on all slices in
   /// front of it.
-  void Activate(const Range<int>& rows)
+  void Activate(const Range<int>& slices, const Range<int>& rows)
   {
-    const Range<int> slices = this->SlicesOf(rows);
     for (int s = slices.end - 1; s >= slices.begin; --s)
     {
       const Range<int> here = this->RowsOn(s, rows);
@@ -374,14 +251,8 @@ private:
 
   SliceReaders ReadersOf(int s) const
   {
-    const FaceFrustum& frustum = this->Target;
-    const Slice& slice = frustum.SliceAt(s);
-    const int* firstRows =
-      this->FirstRows.data() + Index(s) * (frustum.activeRays.rowLength + 1) - slice.rayRows.begin;
-    return { AxisReaders(frustum.Row(frustum.voxelRows, s).index, firstRows, frustum.nodesV,
-               slice.ownedRows, frustum.frontRows, slice.rayRows),
-      AxisReaders(frustum.Row(frustum.voxelColumns, s).index, frustum.FirstVoxels(s),
-        frustum.nodesU, slice.ownedColumns, frustum.frontColumns, slice.rayColumns),
+    return { this->Target, s,
+      this->FirstRows.data() + Index(s) * (this->Target.activeRays.rowLength + 1),
       this->Occupied.Important(s) };
   }
 
@@ -394,15 +265,14 @@ private:
     std::fill_n(begins, rowsPerBlock, noColumn);
     std::fill_n(ends, rowsPerBlock, -noColumn);
     const ColumnSpans carried{ begins, ends };
-    extent.slices = this->SlicesOf(rows);
     for (int s = extent.slices.begin; s < extent.slices.end; ++s)
     {
       const Range<int> here = this->RowsOn(s, rows);
       const int next = std::min(s + 1, this->Slices - 1);
       const Range<int> both = this->RowsOn(next, here);
-      const Outside outside{ this->Outsides[std::size_t(next)],
-        this->Target.Row(this->Target.rowEntry) + here.begin,
-        this->Target.SliceAt(next).RelativeDepth() };
+      const Slice& behind = this->Target.SliceAt(next);
+      const Outside outside{ behind.outsideColumns,
+        this->Target.Row(this->Target.rowEntry) + here.begin, behind.RelativeDepth() };
       CarryRows(outside, here.Length(), this->Target.columns,
         From(carried, here.begin - rows.begin), this->ActiveOf(s, here.begin));
       this->Cut(s, s, { here.begin, both.Empty() ? here.end : both.begin });
@@ -483,19 +353,17 @@ private:
   }
 
   PlannedFrustum& Target;
-  bool ReadByVoxels;
   bool Skips;
   int Slices;
   OccupiedRays Occupied;
-  std::vector<Range<int>> Outsides; ///< per slice
   Index Blocks;
   std::vector<Extent> Extents; ///< [block]
   std::vector<int> FirstRows;  ///< [slice][row of Slice::rayRows]
 };
 }
 
-void FindActiveSpans(PlannedFrustum& frustum, const Occupancy& occupancy, Readers readers)
+void FindActiveSpans(PlannedFrustum& frustum, const Occupancy& occupancy)
 {
-  ActiveSpanFinder(frustum, occupancy, readers).Find();
+  ActiveSpanFinder(frustum, occupancy).Find();
 }
 }

@@ -10,8 +10,8 @@ namespace limpid
 {
 /// Finds the columns of rays that can matter in every row and layer (FaceFrustum::activeRays), and
 /// the voxels that these rays touch. All other ray tables must be filled already. So must the maps
-/// from voxels to rays if `readers` includes voxels.
-void FindActiveSpans(PlannedFrustum& frustum, const Occupancy& occupancy, Readers readers);
+/// from voxels to rays if the frustum has voxels.
+void FindActiveSpans(PlannedFrustum& frustum, const Occupancy& occupancy);
 }
 
 #endif

@@ -6,6 +6,7 @@
 #include "sweep/BandDecomposition.h"
 #include "sweep/PlanSweep.h"
 #include "sweep/Registers.h"
+#include "sweep/VoxelSpans.h"
 
 #include <algorithm>
 
@@ -130,7 +131,8 @@ Range<int> CopiedSlabs::FilledIn(const Box& box, int v, const Occupancy* occupan
   Range<int> hull;
   for (int node = box.nodes.begin; node < box.nodes.end; ++node)
   {
-    hull = Hull(hull, SpansOf(this->Frustum, *occupancy, node)[v].filled);
+    hull =
+      Hull(hull, SpansOf(this->Frustum, occupancy->Along(this->Frustum.axisU), node)[v].filled);
   }
   const Range<int> filled = Intersection(hull, box.columns);
   return filled.Empty() ? Range<int>{ box.columns.begin, box.columns.begin } : filled;

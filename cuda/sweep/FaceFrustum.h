@@ -35,6 +35,7 @@ struct Slice
   int nodes[2] = { 0, 0 };       ///< node indices of the two slices that the layer interpolates
   float fractions[2] = { 0, 0 }; ///< weights of the second slice at the two Gauss points [0, 1]
   Range<int> insideColumns;      ///< columns of rays that stay inside the box in u
+  Range<int> outsideColumns;     ///< columns of rays that enter the box in u behind the slice
   float hatGain = 1;             ///< FaceFrustum::columnHatGain along the depth axis
 
   /// Depth relative to the first slice [index].
@@ -98,6 +99,9 @@ LIMPID_HD LIMPID_INLINE float HatAt(double position, int voxel, int nodes)
   return AtLeast(1.0f - Magnitude(static_cast<float>(inside - voxel)), 0.0f);
 }
 
+/// Rows of rays are followed through the slices in blocks of so many.
+constexpr int rowsPerBlock = 64;
+
 /// Two neighbouring nodes along an axis and the interpolation weight between them.
 struct NodePair
 {
@@ -155,9 +159,10 @@ struct FaceFrustum : FlatTables
   bool seesAll = true; ///< whether all rays are inside the view
 
   Table<Slice> slices;
-  Table<Range<int>> rowColumns; ///< [row]: columns of rays that have values
-  Table<Range<int>> rowLayers;  ///< [row]: slices behind which rays of the row may be visited
-  Table<int> rowStarts;         ///< [row]: index of the ray in column 0; empty unless banded
+  Table<Range<int>> rowColumns;  ///< [row]: columns of rays that have values
+  Table<Range<int>> rowLayers;   ///< [row]: slices behind which rays of the row may be visited
+  Table<Range<int>> blockLayers; ///< [block of rows]: hull of their rowLayers
+  Table<int> rowStarts;          ///< [row]: index of the ray in column 0; empty unless banded
   MapTable planeColumns;        ///< [2 slice + half][column of Slice::rayColumns]: see PlaneColumns
   MapTable planeRows;           ///< [2 slice + half][row of Slice::rayRows]: see PlaneRows
   Table<Range<int>> activeRays; ///< [slice][row of Slice::rayRows]: see ActiveRays
@@ -206,6 +211,12 @@ struct FaceFrustum : FlatTables
   LIMPID_HD LIMPID_INLINE const Range<int>& LayersOf(int row) const
   {
     return this->Row(this->rowLayers)[row];
+  }
+
+  /// Slices behind which any ray of a block of `rowsPerBlock` rows may be visited.
+  LIMPID_HD LIMPID_INLINE const Range<int>& LayersOfBlock(Index block) const
+  {
+    return this->Row(this->blockLayers)[block];
   }
 
   /// Rows of rays that may be visited in the layers behind any of these slices.

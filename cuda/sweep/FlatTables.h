@@ -70,9 +70,28 @@ struct FlatTables
   }
 };
 
+/// Tables that are being filled.
+template <class Tables>
+struct WritableTables : Tables
+{
+  WritableTables() = default;
+
+  LIMPID_HD explicit WritableTables(const Tables& tables)
+    : Tables(tables)
+  {
+  }
+
+  /// Returns a row of a table for writing.
+  template <class Value>
+  LIMPID_HD LIMPID_INLINE Value* Room(const Table<Value>& table, int row = 0) const
+  {
+    return const_cast<Value*>(this->Row(table, row));
+  }
+};
+
 /// Tables together with the memory that holds them.
 template <class Tables>
-struct OwnedTables : Tables
+struct OwnedTables : WritableTables<Tables>
 {
   struct Free
   {
@@ -80,13 +99,6 @@ struct OwnedTables : Tables
   };
   std::unique_ptr<unsigned char[], Free> memory; ///< the block that `tables` points to
   std::size_t bytes = 0;
-
-  /// Returns a row of a table for writing.
-  template <class Value>
-  Value* Room(const Table<Value>& table, int row = 0)
-  {
-    return const_cast<Value*>(this->Row(table, row));
-  }
 };
 
 /// Lays out tables in one block of memory and allocates it.
@@ -98,10 +110,10 @@ public:
   {
     constexpr Index alignment = 256;
     LIMPID_EXPECT(rows * rowLength <= std::numeric_limits<int>::max());
-    table.offset = this->Bytes;
+    table.offset = this->End;
     table.rowLength = rowLength;
-    const Index end = this->Bytes + rows * rowLength * Index(sizeof(Value));
-    this->Bytes = (end + alignment - 1) / alignment * alignment;
+    const Index end = this->End + rows * rowLength * Index(sizeof(Value));
+    this->End = (end + alignment - 1) / alignment * alignment;
   }
 
   void Add(MapTable& table, Index rows, int rowLength)
@@ -114,7 +126,7 @@ public:
   template <class Tables>
   void Give(OwnedTables<Tables>& to) const
   {
-    to.bytes = static_cast<std::size_t>(this->Bytes);
+    to.bytes = this->Bytes();
     to.memory.reset(static_cast<unsigned char*>(std::calloc(to.bytes, 1)));
     if (!to.memory)
     {
@@ -123,8 +135,11 @@ public:
     to.tables = to.memory.get();
   }
 
+  /// Size of all tables so far [bytes].
+  std::size_t Bytes() const { return static_cast<std::size_t>(this->End); }
+
 private:
-  Index Bytes = 0;
+  Index End = 0;
 };
 }
 

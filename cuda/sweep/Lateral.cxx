@@ -43,65 +43,40 @@ void AddParts(double begin, double end, double perUnit, double fewest, std::vect
   edges.push_back(end);
 }
 
-/// Positions along the axis at a depth: offset + coordinate * factor.
-struct Line
-{
-  double offset;
-  double factor;
-};
-
-Line LineAt(const Lateral& lateral, double depth)
-{
-  return lateral.parallel ? Line{ lateral.shear * depth, 1.0 } : Line{ lateral.eye, depth };
-}
-
 /// Computes, for every coordinate, the nearest cell of the box and the position inside it.
 LIMPID_MULTIVERSION
-void FindCells(const double* __restrict coordinates, int count, const Line& line, int nodes,
+void FindCells(const double* __restrict coordinates, int count, const DepthLine& line, int nodes,
   int* __restrict index, float* __restrict weight)
 {
-  const Line at = line;
-  const double last = nodes - 1;
-  const int lastCell = nodes - 2;
+  const DepthLine at = line;
   for (int i = 0; i < count; ++i)
   {
-    const double position = at.offset + coordinates[i] * at.factor;
-    const double behindFirst = position < 0.0 ? 0.0 : position;
-    const double inside = last < behindFirst ? last : behindFirst;
-    const int node = static_cast<int>(inside);
-    const int cell = lastCell < node ? lastCell : node;
-    index[i] = cell;
-    weight[i] = static_cast<float>(inside - cell);
+    const NodePair pair = NodesAt(at.At(coordinates[i]), nodes);
+    index[i] = pair.first;
+    weight[i] = pair.weight;
   }
 }
 
 LIMPID_MULTIVERSION
-void FindFloors(const double* __restrict coordinates, int count, const Line& line, int nodes,
+void FindFloors(const double* __restrict coordinates, int count, const DepthLine& line, int nodes,
   int* __restrict floors)
 {
-  const Line at = line;
-  const double least = -3.0;
-  const double most = nodes + 2.0;
+  const DepthLine at = line;
   for (int i = 0; i < count; ++i)
   {
-    const double position = at.offset + coordinates[i] * at.factor;
-    const double notBefore = position < least ? least : position;
-    const double near = most < notBefore ? most : notBefore;
-    const int towardsZero = static_cast<int>(near);
-    floors[i] = towardsZero - (near < towardsZero ? 1 : 0);
+    floors[i] = RayAxis::FloorNear(at.At(coordinates[i]), nodes);
   }
 }
 
 /// Computes the coordinates of the rays through voxels begin, begin + 1, ... at a depth.
 LIMPID_MULTIVERSION
 void FindCoordinates(
-  int begin, int count, const Line& line, bool parallel, double* __restrict coordinates)
+  int begin, int count, const DepthLine& line, bool parallel, double* __restrict coordinates)
 {
-  const Line at = line;
+  const DepthLine at = line;
   for (int i = 0; i < count; ++i)
   {
-    const double distance = begin + i - at.offset;
-    coordinates[i] = parallel ? distance : distance / at.factor;
+    coordinates[i] = RayAxis::CoordinateThrough(begin + i, at, parallel);
   }
 }
 
@@ -112,46 +87,19 @@ void FindWeights(const double* __restrict coordinates, const double* __restrict 
 {
   for (int i = 0; i < count; ++i)
   {
-    const double before = coordinates[index[i]];
-    const double gap = coordinates[index[i] + 1] - before;
-    const double share = (wanted[i] - before) / gap;
-    const double positive = share < 0.0 ? 0.0 : share;
-    weight[i] = static_cast<float>(1.0 < positive ? 1.0 : positive);
+    weight[i] = RayAxis::WeightBetween(coordinates[index[i]], coordinates[index[i] + 1], wanted[i]);
   }
-}
-
-/// Returns the depths, minus `base`, at which the line start + slope * depth is in [0, last].
-LIMPID_INLINE Range<float> ClipLine(double start, double slope, double last, double base)
-{
-  const double never = 1e30;
-  const bool crosses = slope != 0;
-  const bool beside = (start < 0) | (start > last);
-  const double atZero = (0 - start) / slope;
-  const double atLast = (last - start) / slope;
-  const double nearer = atLast < atZero ? atLast : atZero;
-  const double farther = atZero < atLast ? atLast : atZero;
-  const double low = crosses ? nearer - base : (beside ? never : -never);
-  const double high = crosses ? farther - base : (beside ? -never : never);
-  const double entry = low < -never ? -never : low;
-  const double exit = high < -never ? -never : high;
-  return { static_cast<float>(never < entry ? never : entry),
-    static_cast<float>(never < exit ? never : exit) };
 }
 
 /// Computes the depths, minus `base`, at which rays of given coordinates enter the box.
 LIMPID_MULTIVERSION
-void FindEntries(const Lateral& lateral, const double* __restrict coordinates, int count,
-  double base, float* __restrict entries)
+void FindEntries(const RayAxis& axis, const double* __restrict coordinates, int count, double base,
+  float* __restrict entries)
 {
-  const bool parallel = lateral.parallel;
-  const double eye = lateral.eye;
-  const double shear = lateral.shear;
-  const double last = lateral.nodes - 1;
+  const RayAxis rays = axis;
   for (int i = 0; i < count; ++i)
   {
-    entries[i] =
-      ClipLine(parallel ? coordinates[i] : eye, parallel ? shear : coordinates[i], last, base)
-        .begin;
+    entries[i] = rays.StayAt(coordinates[i], base).begin;
   }
 }
 
@@ -166,7 +114,7 @@ void VisitVoxels(const Lateral& lateral, double depth, Visit&& visit)
   {
     const Range<int> voxels{ begin, std::min(begin + most, lateral.nodes) };
     FindCoordinates(
-      begin, voxels.end - begin, LineAt(lateral, depth), lateral.parallel, coordinates);
+      begin, voxels.end - begin, lateral.Axis().LineAt(depth), lateral.parallel, coordinates);
     visit(voxels, coordinates);
   }
 }
@@ -298,7 +246,7 @@ Range<int> Lateral::RaysNear(double depth, double reach, int more) const
   {
     return this->eye >= near.begin && this->eye <= near.end ? all : Range<int>{};
   }
-  const Line line = LineAt(*this, depth);
+  const DepthLine line = this->Axis().LineAt(depth);
   const auto coordinateOf = [&](double position) { return (position - line.offset) / line.factor; };
   const auto begin = this->Middles.begin();
   const auto first = std::lower_bound(begin, this->Middles.end(), coordinateOf(near.begin));
@@ -310,14 +258,14 @@ Range<int> Lateral::RaysNear(double depth, double reach, int more) const
 
 void Lateral::FindRayMap(double depth, const Range<int>& rays, int* index, float* weight) const
 {
-  FindCells(this->Middles.data() + rays.begin, rays.Length(), LineAt(*this, depth), this->nodes,
-    index, weight);
+  FindCells(this->Middles.data() + rays.begin, rays.Length(), this->Axis().LineAt(depth),
+    this->nodes, index, weight);
 }
 
 void Lateral::FindRayNodes(double depth, const Range<int>& rays, int* floors) const
 {
-  FindFloors(
-    this->Middles.data() + rays.begin, rays.Length(), LineAt(*this, depth), this->nodes, floors);
+  FindFloors(this->Middles.data() + rays.begin, rays.Length(), this->Axis().LineAt(depth),
+    this->nodes, floors);
 }
 
 void Lateral::FindVoxelMap(double depth, int firstRay, int* index, float* weight) const
@@ -340,17 +288,14 @@ void Lateral::FindVoxelMap(double depth, int firstRay, int* index, float* weight
 
 Range<float> Lateral::StayOf(int ray, double base) const
 {
-  const double coordinate = this->Coordinate(ray);
-  const double last = this->nodes - 1;
-  return this->parallel ? ClipLine(coordinate, this->shear, last, base)
-                        : ClipLine(this->eye, coordinate, last, base);
+  return this->Axis().StayAt(this->Coordinate(ray), base);
 }
 
 void Lateral::FindVoxelEntries(double depth, double base, float* entries) const
 {
   VisitVoxels(*this, depth,
     [&](const Range<int>& voxels, const double* coordinates)
-    { FindEntries(*this, coordinates, voxels.Length(), base, entries + voxels.begin); });
+    { FindEntries(this->Axis(), coordinates, voxels.Length(), base, entries + voxels.begin); });
 }
 
 Range<int> Lateral::Owned(double depth, bool closed) const

@@ -5,6 +5,7 @@
 #define limpid_sweep_Lateral_h
 
 #include "math/Range.h"
+#include "sweep/RayAxis.h"
 
 #include <vector>
 
@@ -32,6 +33,14 @@ public:
   int nodes = 0;    ///< voxels along the axis
 
   int count = 0; ///< number of rays, including one guard on either side for interpolation
+
+  /// Returns the rays with the coordinates of this object, or with a copy of them on a device.
+  RayAxis Axis() const { return this->Axis(this->Middles.data()); }
+  RayAxis Axis(const double* coordinates) const
+  {
+    return { coordinates, this->parallel, this->eye, this->shear,
+      { this->Edge(1), this->Edge(this->count - 1) }, this->nodes, this->count };
+  }
 
   double Coordinate(int ray) const { return this->Middles[std::size_t(ray)]; }
   const std::vector<double>& Coordinates() const { return this->Middles; }
@@ -84,7 +93,7 @@ public:
   /// Returns the position of a ray coordinate at a depth [index].
   double Position(double coordinate, double depth) const
   {
-    return this->parallel ? coordinate + this->shear * depth : this->eye + coordinate * depth;
+    return this->Axis().Position(coordinate, depth);
   }
 
 private:

@@ -5,6 +5,7 @@
 
 #include "backend/Backend.h"
 #include "backend/Simd.h"
+#include "sweep/VoxelSpans.h"
 
 #include <algorithm>
 
@@ -12,15 +13,6 @@ namespace limpid
 {
 namespace
 {
-/// The spans of columns of rays that touch the filled and the important voxels of a row of voxels.
-/// Ends are stored as negatives, so that minima give the hull of two rows.
-struct Reach
-{
-  int least[4];
-};
-
-constexpr Reach outOfReach{ { noColumn, noColumn, noColumn, noColumn } };
-
 /// Number of rows of voxels in front of the first and behind the last that rays may refer to, see
 /// Lateral::FindRayNodes.
 constexpr int rowsBefore = 4;
@@ -39,12 +31,12 @@ void JoinFours(int count, Reach* rows)
   }
 }
 
-/// Returns the hull of the rows of voxels from `low` to `high`, at least four. `fours`: see
-/// JoinFours.
-LIMPID_INLINE Reach HullOf(const Reach* fours, int low, int high)
+/// Returns the hull of some rows of voxels, at least four. `fours`: see JoinFours.
+LIMPID_INLINE Reach HullOf(const Reach* fours, const Range<int>& rows)
 {
-  Reach hull = fours[high - 3];
-  for (int v = low; v < high - 3; v += 4)
+  const int last = rows.end - 4;
+  Reach hull = fours[last];
+  for (int v = rows.begin; v < last; v += 4)
   {
     for (int k = 0; k < 4; ++k)
     {
@@ -54,9 +46,8 @@ LIMPID_INLINE Reach HullOf(const Reach* fours, int low, int high)
   return hull;
 }
 
-/// Finds the spans of rows of rays. A row touches the voxel rows from one before the previous row
-/// of rays to two behind the next one. `nodes`: floors of the rows' positions, by row; `rows`:
-/// number of all rows; `some`: the rows to visit; `lastVoxel`: last row of voxels.
+/// Finds the spans of rows of rays, see RowsTouchedBy. `nodes`: floors of the rows' positions, by
+/// row; `rows`: number of all rows; `some`: the rows to visit; `lastVoxel`: last row of voxels.
 LIMPID_MULTIVERSION
 void FindReaches(const Reach* fours, const int* nodes, int rows, const Range<int>& some,
   int lastVoxel, const ColumnSpans& filled, const ColumnSpans& important)
@@ -64,12 +55,9 @@ void FindReaches(const Reach* fours, const int* nodes, int rows, const Range<int
   const Range<int> visited = some;
   for (int row = visited.begin; row < visited.end; ++row)
   {
-    const int from = row > 0 ? nodes[row - 1] - 1 : 0;
-    const int to = row + 1 < rows ? nodes[row + 1] + 2 : lastVoxel;
-    // The first and the last row extend to the border; beyond it there is nothing.
-    const int low = row > 0 || from < to - 3 ? from : to - 3;
-    const int high = row + 1 < rows || to > low + 3 ? to : low + 3;
-    const Reach hull = HullOf(fours, low, high);
+    const Reach hull = HullOf(fours,
+      RowsTouchedBy(
+        row, rows, [nodes](int ray) { return nodes[ray]; }, lastVoxel));
     filled.begins[row] = hull.least[0];
     filled.ends[row] = -hull.least[1];
     important.begins[row] = hull.least[2];
@@ -124,8 +112,7 @@ struct OccupiedRays::Memory
 
 OccupiedRays::OccupiedRays(const PlannedFrustum& frustum, const Occupancy& occupancy)
   : Plan(frustum)
-  , Rows(frustum.activeRays.rowLength)
-  , Spans(new int[std::size_t(4 * frustum.SliceCount() * this->Rows)])
+  , Spans(new int[std::size_t(TouchingRays::CountFor(frustum))])
 {
   constexpr int slicesPerTask = 8;
   const int slices = frustum.SliceCount();
@@ -154,7 +141,8 @@ void OccupiedRays::FindOnSlice(
   memory.rowNodes.resize(std::size_t(rows.Length()));
   frustum.lateralV.FindRayNodes(slice.depth, rows, memory.rowNodes.data());
   memory.CountColumns();
-  const SpanRows spans = SpansOf(frustum, occupancy, slice.node < 0 ? slice.nodes[0] : slice.node);
+  const SpanRows spans =
+    SpansOf(frustum, occupancy.Along(frustum.axisU), slice.node < 0 ? slice.nodes[0] : slice.node);
   std::fill(memory.reaches.begin(), memory.reaches.end(), outOfReach);
   Reach* reaches = memory.reaches.data() + rowsBefore;
   for (int v = 0; v < frustum.nodesV; ++v)

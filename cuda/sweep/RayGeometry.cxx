@@ -5,31 +5,24 @@
 
 #include "backend/Backend.h"
 #include "backend/Simd.h"
+#include "sweep/RayFormulas.h"
 
 #include <algorithm>
-#include <cmath>
 #include <vector>
 
 namespace limpid
 {
 namespace
 {
-LIMPID_INLINE double Squared(double value)
-{
-  return value * value;
-}
-
 /// Computes the lengths of a row of rays from their slopes.
 LIMPID_MULTIVERSION
-void FindLengths(const double* __restrict slopes, int count, const Vec3& spacing, double slopeV,
-  float* __restrict lengths)
+void FindLengths(
+  const double* __restrict slopes, int count, const RowLength& row, float* __restrict lengths)
 {
-  const double spacingU = spacing.x;
-  const double squareV = Squared(slopeV * spacing.y);
-  const double squareW = Squared(spacing.z);
+  const RowLength own = row;
   for (int i = 0; i < count; ++i)
   {
-    lengths[i] = static_cast<float>(std::sqrt(Squared(slopes[i] * spacingU) + squareV + squareW));
+    lengths[i] = own.Of(slopes[i]);
   }
 }
 
@@ -61,16 +54,6 @@ Range<int> FindInside(const float* __restrict entries, const float* __restrict e
   return inside.Empty() ? Range<int>{} : inside;
 }
 
-/// A plane of a frustum as a condition on the rays of a row: u x + first + second + offset >= 0
-/// for rays at the coordinate x.
-struct RowPlane
-{
-  double u;
-  double first;
-  double second;
-  double offset;
-};
-
 LIMPID_MULTIVERSION
 void HideBehind(
   const RowPlane& plane, const double* __restrict coordinates, int count, float* __restrict seen)
@@ -78,8 +61,7 @@ void HideBehind(
   const RowPlane row = plane;
   for (int i = 0; i < count; ++i)
   {
-    const bool inside = row.u * coordinates[i] + row.first + row.second + row.offset >= 0;
-    seen[i] = inside ? seen[i] : 0.0f;
+    seen[i] = row.HasInFront(coordinates[i]) ? seen[i] : 0.0f;
   }
 }
 }
@@ -96,8 +78,9 @@ void FindRayLengths(PlannedFrustum& frustum)
     {
       const int row = static_cast<int>(index);
       const Range<int>& columns = frustum.ColumnsOf(row);
-      FindLengths(slopes.data() + columns.begin, columns.Length(), frustum.spacing,
-        frustum.lateralV.Slope(row), frustum.Room(frustum.length) + frustum.RaysBefore(row));
+      FindLengths(slopes.data() + columns.begin, columns.Length(),
+        RowLength(frustum.spacing, frustum.lateralV.Slope(row)),
+        frustum.Room(frustum.length) + frustum.RaysBefore(row));
     });
 }
 
@@ -111,7 +94,7 @@ Range<int> InsideColumns(
                         : Range<int>{ among.begin + inside.begin, among.begin + inside.end };
 }
 
-void FindInView(PlannedFrustum& frustum, const RaySource& source, double w)
+void FindInView(PlannedFrustum& frustum)
 {
   ParallelFor(frustum.rows, 16,
     [&](Index index)
@@ -121,14 +104,10 @@ void FindInView(PlannedFrustum& frustum, const RaySource& source, double w)
       float* inView = frustum.Room(frustum.inView) + frustum.RaysBefore(row);
       std::fill_n(inView, columns.Length(), 1.0f);
       const double coordinate = frustum.lateralV.Coordinate(row);
-      for (const RaySource::Plane& plane : source.viewPlanes)
+      const RaySource::Plane* planes = frustum.Row(frustum.viewPlanes);
+      for (int plane = 0; plane < frustum.viewPlanes.rowLength; ++plane)
       {
-        // Terms are added in the order of the grid's axes.
-        const double alongV = plane.normal[frustum.axisV] * coordinate;
-        const double alongW = plane.normal[frustum.axisW] * w;
-        const bool depthLast = frustum.axisV < frustum.axisW;
-        HideBehind({ plane.normal[frustum.axisU], depthLast ? alongV : alongW,
-                     depthLast ? alongW : alongV, plane.offset },
+        HideBehind(RowPlane(planes[plane], frustum, coordinate, frustum.viewDepth),
           frustum.lateralU.Coordinates().data() + columns.begin, columns.Length(), inView);
       }
     });

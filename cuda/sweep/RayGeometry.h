@@ -18,9 +18,8 @@ void FindRayLengths(PlannedFrustum& frustum);
 Range<int> InsideColumns(
   const FaceFrustum& frustum, const Range<int>& among, float front, float back);
 
-/// Finds which rays of a frustum are inside the view. `w`: component along the depth axis of all
-/// ray directions (point source), or of one point on each ray (parallel source).
-void FindInView(PlannedFrustum& frustum, const RaySource& source, double w);
+/// Finds which rays of a frustum are inside the view.
+void FindInView(PlannedFrustum& frustum);
 }
 
 #endif

@@ -13,7 +13,8 @@ constexpr int registerLanes = 8;
 
 /// Widens a range of columns to whole vector registers, if it fits into `bounds`. A partly filled
 /// register would take as long as the whole row.
-inline Range<int> WholeRegisters(const Range<int>& columns, const Range<int>& bounds)
+LIMPID_HD LIMPID_INLINE Range<int> WholeRegisters(
+  const Range<int>& columns, const Range<int>& bounds)
 {
   const int length = (columns.Length() + registerLanes - 1) / registerLanes * registerLanes;
   if (columns.Empty() || length > bounds.Length())

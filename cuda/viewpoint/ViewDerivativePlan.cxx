@@ -4,6 +4,7 @@
 #include "viewpoint/ViewDerivativePlan.h"
 
 #include "backend/Backend.h"
+#include "sweep/RayFormulas.h"
 
 #include <algorithm>
 #include <array>
@@ -128,10 +129,10 @@ void FillMove(const PlannedFrustum& frustum, int m, const Vec3& move, Plan& plan
   const Vec3& h = frustum.spacing;
   float* side = plan.Room(plan.moveSide, m);
   float* along = plan.Room(plan.moveAlong, m);
-  const float* length = frustum.Row(frustum.length);
   for (int row = 0; row < frustum.rows; ++row)
   {
     const double b = frustum.lateralV.Slope(row);
+    const RowLength length(h, b);
     const double down = move.y - b * move.z;
     plan.Room(plan.moveDown, m)[row] = static_cast<float>(down);
     plan.Room(plan.moveRow, m)[row] = b != 0 ? static_cast<float>(down / b) : 0.0f;
@@ -140,7 +141,7 @@ void FillMove(const PlannedFrustum& frustum, int m, const Vec3& move, Plan& plan
     {
       const double a = frustum.lateralU.Slope(column);
       const double across = move.x - a * move.z;
-      const double size = *length++;
+      const double size = length.Of(a);
       *side++ = a != 0 ? static_cast<float>(across / a * size) : 0.0f;
       *along++ =
         static_cast<float>((a * h.x * across * h.x + b * h.y * down * h.y) / (size * size));
