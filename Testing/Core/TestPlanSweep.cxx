@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <vector>
 
 using namespace limpid;
@@ -249,6 +250,104 @@ TEST_P(PlanOf, IsTheSameOnOneThread)
       EXPECT_EQ(here.touchedRows.begin, other.touchedRows.begin);
       EXPECT_EQ(here.touchedRows.end, other.touchedRows.end);
     }
+  }
+}
+
+namespace
+{
+/// Expects two plans to agree bit by bit. Both lay out their tables in the same way.
+void ExpectSameTables(const PlannedFrustum& host, const FaceFrustum& device)
+{
+  const auto same = [&](const char* name, const auto& table, int rows)
+  {
+    for (int row = 0; row < rows; ++row)
+    {
+      const auto* here = host.Row(table, row);
+      const auto* there = device.Row(table, row);
+      EXPECT_EQ(std::memcmp(here, there, std::size_t(table.rowLength) * sizeof(*here)), 0)
+        << name << ", row " << row;
+    }
+  };
+  const int slices = host.SliceCount();
+  for (const MapTable* map : { &host.planeColumns, &host.planeRows })
+  {
+    same("index of rays", map->index, 2 * slices);
+    same("weight of rays", map->weight, 2 * slices);
+  }
+  for (const MapTable* map : { &host.voxelColumns, &host.voxelRows })
+  {
+    same("index of voxels", map->index, slices);
+    same("weight of voxels", map->weight, slices);
+  }
+  for (const Table<float>* table : { &host.columnSides, &host.rowSides, &host.columnHatGain,
+         &host.rowHatGain, &host.voxelColumnEntry, &host.voxelRowEntry })
+  {
+    same("of voxels", *table, slices);
+  }
+  same("first voxels", host.firstVoxels, slices);
+  same("active rays", host.activeRays, slices);
+  same("active voxels", host.activeVoxels, slices);
+  same("filled voxels", host.filledVoxels, slices);
+  same("lengths", host.length, 1);
+  same("in view", host.inView, 1);
+}
+
+void ExpectSamePlans(
+  const Grid& grid, const Occupancy& occupancy, const RaySource& eye, const PlanSettings& settings)
+{
+  const std::vector<PlannedFrustum> host = PlanSweep(grid, occupancy, eye, settings);
+  const std::vector<FrustumRays<SimulatedDevice>> device =
+    PlanRays(SimulatedDevice::Shared(), grid, occupancy, eye, settings);
+  ASSERT_EQ(host.size(), device.size());
+  for (std::size_t index = 0; index < host.size(); ++index)
+  {
+    ExpectSameTables(host[index], device[index].Plan());
+  }
+}
+}
+
+// The processor fills tables row by row, and a device value by value.
+TEST_P(PlanOf, IsTheSameOnADevice)
+{
+  for (const Readers readers : { Readers::RaysAndVoxels, Readers::Rays })
+  {
+    for (const bool skip : { true, false })
+    {
+      ExpectSamePlans(this->scene.grid,
+        Occupancy(
+          this->scene.grid, this->scene.extinction.data(), this->scene.importance.data(), skip),
+        GetParam().eye, { GetParam().rayDensity, GetParam().placement, readers });
+    }
+  }
+}
+
+// A long box has rays far beside most slices, which their plan leaves out.
+TEST(PlanOnADevice, IsTheSameForLongBoxes)
+{
+  for (const Int3& nodes : { Int3(150, 9, 7), Int3(6, 120, 11), Int3(8, 7, 140) })
+  {
+    const Boxes scene(nodes);
+    for (const Viewing& viewing : viewings)
+    {
+      ExpectSamePlans(
+        scene.grid, scene.MakeOccupancy(), viewing.eye, { viewing.rayDensity, viewing.placement });
+    }
+  }
+}
+
+TEST(PlanOnADevice, KnowsWhichRaysAreInView)
+{
+  const Boxes scene(planNodes);
+  for (const bool parallel : { false, true })
+  {
+    Camera camera;
+    camera.position = Vec3(70, -40, -60);
+    camera.focalPoint = Vec3(12, 9, 20);
+    camera.viewAngle = 9;
+    camera.parallel = parallel;
+    camera.parallelScale = 6;
+    ExpectSamePlans(
+      scene.grid, scene.MakeOccupancy(), SourceOfCamera(camera, scene.grid, true), { 1.2 });
   }
 }
 

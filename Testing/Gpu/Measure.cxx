@@ -132,7 +132,7 @@ void MeasureSetUp(const SceneForSolver& scene, const Effort& effort, Json& resul
         {
           for (const RaySource& source : { problem.Camera(), problem.Light() })
           {
-            PlanSweep(problem.grid, *problem.occupancy, source, { problem.settings.rayDensity });
+            OutlineSweep(problem.grid, source, { problem.settings.rayDensity });
           }
         });
     });

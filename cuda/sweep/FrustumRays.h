@@ -13,6 +13,7 @@
 #include "sweep/BandDecomposition.h"
 #include "sweep/FieldSlabs.h"
 #include "sweep/HatOfVoxel.h"
+#include "sweep/PlanOnDevice.h"
 #include "sweep/PlanSweep.h"
 #include "sweep/RayChannels.h"
 #include "sweep/RayTiles.h"
@@ -66,23 +67,26 @@ private:
   DeviceArray<AnyDevice, float> Channels;   ///< [channel][ray]
 };
 
-/// The plan of a frustum: a copy of its tables in device memory.
+/// The plan of a frustum in device memory.
 template <class AnyDevice>
 class FrustumTables
 {
 public:
-  FrustumTables(const std::shared_ptr<AnyDevice>& device, PlannedFrustum&& planned)
+  FrustumTables(const std::shared_ptr<AnyDevice>& device, const PlannedFrustum& outline,
+    const Occupancy& occupancy)
     : Device(device)
-    , Tables(device, planned.memory.get(), planned.bytes, "the plan of a sweep")
-    , Addresses(planned)
+    , Addresses(outline)
   {
-    LIMPID_REQUIRE(!planned.banded,
+    LIMPID_REQUIRE(!outline.banded,
       "From this position, a GPU cannot sweep an image that is so much longer than wide (it would "
       "need memory for "
-        << double(planned.columns) * planned.rows
+        << double(outline.columns) * outline.rows
         << " rays, of which few meet the image). Use the processor, or look along the image or "
            "straight at one of its sides.");
+    this->Tables = DeviceArray<AnyDevice, unsigned char>::Zeros(device, outline.bytes, what);
+    device->Upload(this->Tables.Data(), outline.memory.get(), outline.outlineBytes);
     this->Addresses.tables = this->Tables.Data();
+    FillPlanOnDevice(device, outline, this->Tables.Data(), occupancy);
   }
 
   const FaceFrustum& Plan() const { return this->Addresses; }
@@ -99,8 +103,7 @@ public:
     if (this->Means.Empty())
     {
       const Index count = MadeHat::CountOf(this->Addresses);
-      DeviceArray<AnyDevice, HatOfVoxel> hats(
-        this->Device, std::size_t(count), "the plan of a sweep");
+      DeviceArray<AnyDevice, HatOfVoxel> hats(this->Device, std::size_t(count), what);
       this->Device->ForIndices("plan", count, MadeHat{ this->Addresses, hats.Data() });
       this->Means = std::move(hats); // only after they have been computed
     }
@@ -144,6 +147,8 @@ public:
   }
 
 private:
+  static constexpr const char* what = "the plan of a sweep";
+
   std::shared_ptr<AnyDevice> Device;
   DeviceArray<AnyDevice, unsigned char> Tables;
   DeviceArray<AnyDevice, HatOfVoxel> Means;
@@ -158,9 +163,11 @@ template <>
 class FrustumTables<HostDevice>
 {
 public:
-  FrustumTables(const std::shared_ptr<HostDevice>&, PlannedFrustum&& planned)
-    : Planned(std::move(planned))
+  FrustumTables(
+    const std::shared_ptr<HostDevice>&, PlannedFrustum&& outline, const Occupancy& occupancy)
+    : Planned(std::move(outline))
   {
+    FillPlan(this->Planned, occupancy);
     this->ShareAmong(*ThisProcess());
   }
 
@@ -221,8 +228,10 @@ template <class AnyDevice>
 class FrustumRays : public FrustumTables<AnyDevice>
 {
 public:
-  FrustumRays(const std::shared_ptr<AnyDevice>& device, PlannedFrustum&& planned)
-    : FrustumTables<AnyDevice>(device, std::move(planned))
+  /// `outline`: made by OutlineSweep.
+  FrustumRays(
+    const std::shared_ptr<AnyDevice>& device, PlannedFrustum&& outline, const Occupancy& occupancy)
+    : FrustumTables<AnyDevice>(device, std::move(outline), occupancy)
     , Values(device, this->Plan().RayCount())
   {
   }
@@ -237,16 +246,16 @@ private:
   RayImages<AnyDevice> Values;
 };
 
-/// Plans a sweep and copies the plans of its frusta to a device.
+/// Plans a sweep on a device.
 template <class AnyDevice>
 std::vector<FrustumRays<AnyDevice>> PlanRays(const std::shared_ptr<AnyDevice>& device,
   const Grid& grid, const Occupancy& occupancy, const RaySource& source,
   const PlanSettings& settings)
 {
   std::vector<FrustumRays<AnyDevice>> frusta;
-  for (PlannedFrustum& planned : PlanSweep(grid, occupancy, source, settings))
+  for (PlannedFrustum& outline : OutlineSweep(grid, source, settings))
   {
-    frusta.emplace_back(device, std::move(planned));
+    frusta.emplace_back(device, std::move(outline), occupancy);
   }
   return frusta;
 }

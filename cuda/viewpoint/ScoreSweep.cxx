@@ -44,7 +44,7 @@ public:
   {
     const Fields& fields = this->FieldsOf(part);
     const OwnedTables<ViewDerivativePlan> planned =
-      PlanViewDerivative(part.frustum, part.fields->grid, moves, cuts);
+      PlanViewDerivative(part.outline, part.fields->grid, moves, cuts);
     const BorrowedArray<AnyDevice, unsigned char> tables(
       this->Device, planned.memory.get(), planned.bytes, "the plan of a derivative");
     ViewDerivativePlan plan = planned;
@@ -101,7 +101,7 @@ private:
   /// Returns the rays of a part, which is consumed. `margin`: see FieldSlabs.
   FrustumRays<AnyDevice> RaysOf(ViewFields::Part& part, int margin) const
   {
-    FrustumRays<AnyDevice> rays(this->Device, std::move(part.frustum));
+    FrustumRays<AnyDevice> rays(this->Device, std::move(part.outline), *part.fields->occupancy);
     if (part.fields->home)
     {
       rays.SweepFieldsOf(*part.fields->home, part.fields->occupancy.get(), margin);

@@ -206,10 +206,10 @@ void AddParts(const SweptFields& fields, const Camera& camera, double rayDensity
   const std::array<bool, 3>& depthAxes, std::vector<ViewFields::Part>& parts)
 {
   const RaySource eye = SourceOfCamera(camera, fields.grid, false);
-  for (PlannedFrustum& frustum : PlanSweep(fields.grid, *fields.occupancy, eye,
-         { rayDensity, RayPlacement::ForIntegrals, Readers::Rays, depthAxes }))
+  for (PlannedFrustum& outline : OutlineSweep(
+         fields.grid, eye, { rayDensity, RayPlacement::ForIntegrals, Readers::Rays, depthAxes }))
   {
-    parts.push_back({ &fields, std::move(frustum) });
+    parts.push_back({ &fields, std::move(outline) });
   }
 }
 }

@@ -7,7 +7,7 @@
 #include "scene/Grid.h"
 #include "scene/RaySource.h"
 #include "sweep/FieldSlabs.h"
-#include "sweep/PlanSweep.h"
+#include "sweep/PlanOutline.h"
 
 #include <memory>
 #include <string>
@@ -78,7 +78,7 @@ public:
   struct Part
   {
     const SweptFields* fields;
-    PlannedFrustum frustum;
+    PlannedFrustum outline; ///< see OutlineSweep
   };
 
   /// Returns all rays of a camera, inside the view or not.

@@ -55,8 +55,9 @@ begins with optical depths.
 ## A frame of the display
 
 After the camera has moved: {plural(measured['iterations'], 'iteration')}, shadows, and a picture
-of 64 × 64 pixels (16 384 bytes). What goes to the device are the plans of the rays: those of camera and
-light take {1e3 * measured['plan']:.1f} ms on this machine's processor.
+of 64 × 64 pixels (16 384 bytes). What goes to the device are outlines of the rays' plans, a number per slice
+and per ray of an axis; the plans are made there. The outlines of camera and light take
+{1e3 * measured['plan']:.1f} ms on this machine's processor.
 {launch_table(measured['frame'], 'launch')}{copy_table(measured['frame'], 'copy')}
 ## Tiles
 
