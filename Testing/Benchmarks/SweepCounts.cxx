@@ -3,8 +3,9 @@
 
 #include "SweepCounts.h"
 
+#include "PlanSweep.h"
+
 #include "backend/Backend.h"
-#include "sweep/PlanSweep.h"
 #include "sweep/VoxelSpans.h"
 
 #include <algorithm>
@@ -47,7 +48,8 @@ SweepCounts CountSweep(const Problem& problem, const RaySource& source)
       const Slice& slice = frustum.SliceAt(s);
       for (int v = slice.ownedRows.begin; slice.node >= 0 && v < slice.ownedRows.end; ++v)
       {
-        const Range<int> filled = SpansOf(frustum, problem.occupancy->Along(frustum.axisU), slice.node)[v].filled;
+        const Range<int> filled =
+          SpansOf(frustum, problem.occupancy->Along(frustum.axisU), slice.node)[v].filled;
         mark(slice.node, v, Intersection(frustum.ActiveVoxels(s, v), filled), counts.updated);
       }
       for (int row = 0; s < frustum.lastSlice && row < frustum.rows; ++row)

@@ -7,13 +7,13 @@
 //   limpid_count_ranks FILE.scene.json RANKS...
 
 #include "HeldByRanks.h"
+#include "PlanSweep.h"
 #include "SceneForSolver.h"
 #include "SilentRanks.h"
 
 #include "optimize/PreparedScene.h"
 #include "optimize/Solver.h"
 #include "sweep/BandDecomposition.h"
-#include "sweep/PlanSweep.h"
 
 #include <nlohmann/json.hpp>
 

@@ -4,11 +4,11 @@
 #ifndef limpid_test_PlanOf_h
 #define limpid_test_PlanOf_h
 
+#include "PlanSweep.h"
 #include "RaySources.h"
 #include "SimulatedDevice.h"
 
 #include "sweep/FrustumRays.h"
-#include "sweep/PlanSweep.h"
 
 #include <gtest/gtest.h>
 

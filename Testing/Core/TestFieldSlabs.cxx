@@ -3,9 +3,10 @@
 
 // Copied slices: what rays read is the field, whatever was in their memory before.
 
+#include "PlanSweep.h"
+
 #include "sweep/BandDecomposition.h"
 #include "sweep/FieldSlabs.h"
-#include "sweep/PlanSweep.h"
 #include "sweep/Registers.h"
 #include "sweep/VoxelSpans.h"
 
@@ -111,8 +112,8 @@ int WrongValues(
           wrong += row[u] == field[scene.Node(slice.node, u, v)] ? 0 : 1;
         }
         const Range<int> owned = slice.ownedColumns;
-        const Range<int> filled =
-          Intersection(SpansOf(frustum, occupancy.Along(frustum.axisU), slice.node)[v].filled, owned);
+        const Range<int> filled = Intersection(
+          SpansOf(frustum, occupancy.Along(frustum.axisU), slice.node)[v].filled, owned);
         const Range<int> written = WholeRegisters(filled, owned);
         if (scribble && s < slab.end && !filled.Empty())
         {

@@ -5,12 +5,12 @@
 
 #include "BoxScene.h"
 #include "NodeImportanceOfAll.h"
+#include "PlanSweep.h"
 #include "RaySources.h"
 #include "Tolerance.h"
 
 #include "energy/VisibilityTerm.h"
 #include "math/Require.h"
-#include "sweep/PlanSweep.h"
 
 #include <gtest/gtest.h>
 

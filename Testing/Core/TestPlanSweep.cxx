@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include "PlanOf.h"
+#include "PlanSweep.h"
 #include "Tolerance.h"
 
 #include "backend/Backend.h"
-#include "sweep/PlanSweep.h"
 
 #include <gtest/gtest.h>
 

@@ -5,12 +5,12 @@
 // what a rank needs of the fields is little more than its share.
 
 #include "BoxScene.h"
+#include "PlanSweep.h"
 #include "SilentRanks.h"
 
 #include "optimize/PreparedScene.h"
 #include "scene/FieldView.h"
 #include "sweep/BandDecomposition.h"
-#include "sweep/PlanSweep.h"
 
 #include <gtest/gtest.h>
 

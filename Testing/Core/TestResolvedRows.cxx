@@ -3,6 +3,7 @@
 
 // Resolved layers of rays side by side are those of each ray alone, bit by bit.
 
+#include "PlanSweep.h"
 #include "backend/HostDevice.h"
 #include "sweep/FrustumRays.h"
 #include "sweep/RowSampler.h"

@@ -3,6 +3,7 @@
 
 // Means of what rays carry over the hat functions of voxels.
 
+#include "PlanSweep.h"
 #include "RaySources.h"
 #include "Tolerance.h"
 

@@ -16,7 +16,7 @@
 #include "optimize/Progressive.h"
 #include "optimize/SolverBackend.h"
 #include "render/RenderPasses.h"
-#include "sweep/PlanSweep.h"
+#include "sweep/PlanOutline.h"
 
 namespace limpid::benchmark
 {

@@ -4,7 +4,8 @@
 #ifndef limpid_sweep_ActiveSpans_h
 #define limpid_sweep_ActiveSpans_h
 
-#include "sweep/PlanSweep.h"
+#include "scene/Occupancy.h"
+#include "sweep/PlanOutline.h"
 
 namespace limpid
 {

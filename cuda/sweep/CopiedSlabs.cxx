@@ -4,7 +4,7 @@
 #include "sweep/CopiedSlabs.h"
 
 #include "sweep/BandDecomposition.h"
-#include "sweep/PlanSweep.h"
+#include "sweep/PlanOutline.h"
 #include "sweep/Registers.h"
 #include "sweep/VoxelSpans.h"
 

@@ -322,4 +322,17 @@ Range<int> Lateral::Owned(double depth, bool closed) const
   }
   return { begin, end };
 }
+
+void FindFirstTargets(const int* index, int targets, const Range<int>& sources, int* first)
+{
+  int target = 0;
+  for (int source = sources.begin; source <= sources.end; ++source)
+  {
+    while (target < targets && index[target] < source)
+    {
+      ++target;
+    }
+    first[source - sources.begin] = target;
+  }
+}
 }

@@ -106,6 +106,10 @@ private:
   std::vector<double> Edges; ///< borders of the parts of the rays, without guards
   std::vector<double> Middles;
 };
+
+/// Computes, for each of some sources of a map and one past the last, the first target whose first
+/// source is this one or a later one.
+void FindFirstTargets(const int* index, int targets, const Range<int>& sources, int* first);
 }
 
 #endif

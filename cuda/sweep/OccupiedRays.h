@@ -4,8 +4,9 @@
 #ifndef limpid_sweep_OccupiedRays_h
 #define limpid_sweep_OccupiedRays_h
 
+#include "scene/Occupancy.h"
 #include "sweep/ColumnSpans.h"
-#include "sweep/PlanSweep.h"
+#include "sweep/PlanOutline.h"
 
 #include <memory>
 #include <vector>

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Fills the plan of a sweep on a device. The formulas are those of the processor (PlanSweep.h), and
+// Fills the plan of a sweep on a device. The formulas are those of the processor (FillPlan.h), and
 // so are the results, bit for bit.
 
 #ifndef limpid_sweep_PlanOnDevice_h

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // The part of a plan that has one value per ray of an axis, per slice or per row. The host makes
-// it; it determines all else (PlanSweep.h, PlanOnDevice.h).
+// it; it determines all else (FillPlan.h, PlanOnDevice.h).
 
 #ifndef limpid_sweep_PlanOutline_h
 #define limpid_sweep_PlanOutline_h

@@ -6,7 +6,7 @@
 #ifndef limpid_sweep_RayGeometry_h
 #define limpid_sweep_RayGeometry_h
 
-#include "sweep/PlanSweep.h"
+#include "sweep/PlanOutline.h"
 
 namespace limpid
 {

@@ -4,7 +4,7 @@
 #ifndef limpid_sweep_RayWindows_h
 #define limpid_sweep_RayWindows_h
 
-#include "sweep/PlanSweep.h"
+#include "sweep/PlanOutline.h"
 
 #include <vector>
 

@@ -6,7 +6,7 @@
 #include "backend/Backend.h"
 #include "sweep/Cubic.h"
 #include "sweep/HatMean.h"
-#include "sweep/PlanSweep.h"
+#include "sweep/PlanOutline.h"
 #include "sweep/Registers.h"
 #include "sweep/RowInterpolation.h"
 

@@ -4,7 +4,7 @@
 #ifndef limpid_viewpoint_ViewDerivativePlan_h
 #define limpid_viewpoint_ViewDerivativePlan_h
 
-#include "sweep/PlanSweep.h"
+#include "sweep/PlanOutline.h"
 
 namespace limpid
 {

@@ -5,11 +5,11 @@
 // same rays, samples by trilinear interpolation, and clipping at the sides of the box.
 
 #include "Errors.h"
+#include "PlanSweep.h"
 
 #include "PaperScheme/Launch.h"
 #include "PaperScheme/Views.h"
 #include "sweep/HalfLayer.h"
-#include "sweep/PlanSweep.h"
 
 #include <cmath>
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "sweep/PlanSweep.h"
+#include "sweep/FillPlan.h"
 
 #include "backend/Backend.h"
 #include "sweep/ActiveSpans.h"
@@ -93,19 +93,6 @@ void FindVoxelSpans(PlannedFrustum& frustum, const Occupancy& occupancy)
 }
 }
 
-void FindFirstTargets(const int* index, int targets, const Range<int>& sources, int* first)
-{
-  int target = 0;
-  for (int source = sources.begin; source <= sources.end; ++source)
-  {
-    while (target < targets && index[target] < source)
-    {
-      ++target;
-    }
-    first[source - sources.begin] = target;
-  }
-}
-
 void FillPlan(PlannedFrustum& frustum, const Occupancy& occupancy)
 {
   FindRayLengths(frustum);
@@ -131,16 +118,5 @@ void FillPlan(PlannedFrustum& frustum, const Occupancy& occupancy)
   {
     FindInView(frustum);
   }
-}
-
-std::vector<PlannedFrustum> PlanSweep(const Grid& grid, const Occupancy& occupancy,
-  const RaySource& source, const PlanSettings& settings)
-{
-  std::vector<PlannedFrustum> frusta = OutlineSweep(grid, source, settings);
-  for (PlannedFrustum& frustum : frusta)
-  {
-    FillPlan(frustum, occupancy);
-  }
-  return frusta;
 }
 }
