@@ -25,7 +25,8 @@ cp "$programs"/{test_,limpid_bench_gpu}* "$@" "$work/bin"
 strip "$work"/bin/*
 python3="$(command -v /usr/bin/python3 || command -v python3)" # the one that Debian's VTK is for
 "$python3" "$root/Testing/Gpu/pack-scenes.py" "$data" "$work/scenes"
-tar -cf - -C "$work" bin dependencies scenes | xz -T0 > "$carried/carry.tar.xz"
+# -9: its dictionary is large enough to find the core, which all programs have, in the one before.
+tar -cf - -C "$work" bin dependencies scenes | xz -T0 -9 > "$carried/carry.tar.xz"
 
 packed="$(stat -c %s "$carried/carry.tar.xz")"
 tree="$(cd "$root" && git ls-files -z --cached --others --exclude-standard |
