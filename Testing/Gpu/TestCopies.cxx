@@ -27,6 +27,7 @@ struct DisplayedScene
   int nodes;           ///< along each axis
   double opticalDepth; ///< see BoxScene::FillOnion
   Method method = Method::Optimized;
+  double coherence = 0; ///< Settings::temporalCoherence
 };
 
 void PrintTo(const DisplayedScene& scene, std::ostream* stream)
@@ -34,8 +35,8 @@ void PrintTo(const DisplayedScene& scene, std::ostream* stream)
   *stream << scene.name;
 }
 
-/// Returns how many bytes come from the GPU meanwhile.
-double BytesDownDuring(const std::function<void()>& work)
+/// Returns how many bytes are copied meanwhile. `label`: "download" or "upload".
+double BytesDuring(const char* label, const std::function<void()>& work)
 {
   LaunchTimes times;
   Gpu().Time(&times);
@@ -44,7 +45,7 @@ double BytesDownDuring(const std::function<void()>& work)
   double bytes = 0;
   for (const LaunchTimes::Entry& entry : times.Entries())
   {
-    bytes += entry.label == "download" ? entry.bytes : 0.0;
+    bytes += entry.label == label ? entry.bytes : 0.0;
   }
   return bytes;
 }
@@ -57,6 +58,7 @@ public:
   {
     this->Scene.FillOnion(GetParam().opticalDepth);
     this->Scene.settings.method = GetParam().method;
+    this->Scene.settings.temporalCoherence = GetParam().coherence;
     this->Scene.settings.backend = BackendKind::Cuda;
   }
 
@@ -94,16 +96,26 @@ TEST_P(FramesOnGpu, BringNoFieldToTheHost)
   Progressive progressive(this->Scene.Fields(), this->Scene.settings);
   this->Show(progressive); // allocates
 
-  const double down = BytesDownDuring([&] { this->Show(progressive); });
+  const double down = BytesDuring("download", [&] { this->Show(progressive); });
 
   EXPECT_LT(down, this->MostBytes(progressive));
   EXPECT_LT(this->MostBytes(progressive), 0.5 * this->FieldBytes())
     << "one field would not be noticed";
 }
 
+// What goes there are outlines of plans (PlanOutline.h), which grow with the length of an edge.
+TEST_P(FramesOnGpu, SendNoFieldToTheGpu)
+{
+  Progressive progressive(this->Scene.Fields(), this->Scene.settings);
+  this->Show(progressive); // allocates
+
+  EXPECT_LT(BytesDuring("upload", [&] { this->Show(progressive); }), 0.5 * this->FieldBytes());
+}
+
 INSTANTIATE_TEST_SUITE_P(Scenes, FramesOnGpu,
   ::testing::Values(DisplayedScene{ "Thin", 64, 10 }, DisplayedScene{ "ThinAndSmall", 40, 4 },
     DisplayedScene{ "Thick", 48, 100 }, DisplayedScene{ "ThickAndSmall", 32, 200 },
+    DisplayedScene{ "Coherent", 64, 10, Method::Optimized, 0.2 },
     DisplayedScene{ "Viola2004", 48, 20, Method::Viola2004 },
     DisplayedScene{ "Ament2017", 48, 20, Method::Ament2017 }),
   [](const auto& tested) { return std::string(tested.param.name); });

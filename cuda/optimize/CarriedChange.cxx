@@ -144,6 +144,17 @@ std::vector<float> ChangeOf(Index count, const float* base, const float* extinct
   return change;
 }
 
+FoundExtinctions CarriedExtinction::Take()
+{
+  FoundExtinctions taken;
+  taken.extinction = std::make_shared<FoundExtinction>(std::move(this->extinction));
+  if (this->hasLight)
+  {
+    taken.light = std::make_shared<FoundExtinction>(std::move(this->light));
+  }
+  return taken;
+}
+
 std::optional<CarriedExtinction> AppliedTo(
   const SceneFields& scene, float majorant, const CarriedChange& change)
 {

@@ -4,6 +4,7 @@
 #ifndef limpid_optimize_CarriedChange_h
 #define limpid_optimize_CarriedChange_h
 
+#include "optimize/FoundExtinction.h"
 #include "optimize/Settings.h"
 #include "scene/Grid.h"
 #include "scene/RaySource.h"
@@ -68,10 +69,8 @@ struct CarriedExtinction
   std::vector<float> light; ///< of a separate extinction for the light
   bool hasLight = false;    ///< whether there is one
 
-  const float* Of(bool forLight) const
-  {
-    return (forLight && this->hasLight ? this->light : this->extinction).data();
-  }
+  /// Moves the values out.
+  FoundExtinctions Take();
 };
 
 /// Applies a change to a scene with the given majorant. The grids may differ in resolution.

@@ -50,7 +50,7 @@ CoarseProblem::CoarseProblem(const Problem& given, int factor)
   this->Importance = this->Restricted(given.importance, problem.grid);
   for (const Pull& pull : given.furtherPulls)
   {
-    this->References.push_back(this->Restricted(pull.reference, problem.grid));
+    this->References.push_back(this->Restricted(pull.ReferenceOnHost(), problem.grid));
   }
   this->UseFields();
   for (TermSource& source : problem.sources)

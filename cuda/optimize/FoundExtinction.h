@@ -95,6 +95,19 @@ private:
   std::unique_ptr<DeviceResult> There;
   mutable std::vector<float> Values;
 };
+
+/// What was found for a view. It may still be read as the reference of the next view when another
+/// result is shown.
+struct FoundExtinctions
+{
+  std::shared_ptr<const FoundExtinction> extinction; ///< null: nothing was found
+  std::shared_ptr<const FoundExtinction> light;      ///< null: same as `extinction`
+
+  const FoundExtinction& Of(bool forLight) const
+  {
+    return forLight && this->light ? *this->light : *this->extinction;
+  }
+};
 }
 
 #endif

@@ -309,30 +309,37 @@ Problem PreparedScene::ProblemForScores(
 }
 
 std::vector<PullWithReferences> PreparedScene::PullsFor(const CarriedChange& before,
-  const Problem& problem, const Camera& camera, const Light& light) const
+  const Problem& problem, const Camera& camera, const Light& light,
+  const FoundExtinctions& found) const
 {
   std::vector<PullWithReferences> pulls;
-  const auto add = [&](double share, SummandOf summand, const auto& references)
+  const auto add = [&](
+                     double share, SummandOf summand, std::optional<CarriedExtinction>&& references)
   {
-    if (!(share > 0))
+    if (references)
     {
-      return;
-    }
-    if (auto near = references())
-    {
-      problem.TakeIntoBounds(near->extinction);
-      problem.TakeIntoBounds(near->light);
-      pulls.push_back({ std::move(*near), share, summand });
+      problem.TakeIntoBounds(references->extinction);
+      problem.TakeIntoBounds(references->light);
+      pulls.push_back({ references->Take(), share, summand });
     }
   };
   const Settings& settings = problem.settings;
-  add(
-    settings.temporalCoherence * before.NearnessTo(camera, light, settings),
-    [](Energy& energy) -> double& { return energy.coherence; },
-    [&] { return AppliedTo(this->Fields, this->LargestExtinction, before); });
-  add(
-    settings.referencePull, [](Energy& energy) -> double& { return energy.reference; },
-    [&] { return ReferenceOf(this->Fields, GivenReference::Near); });
+  const double coherence = settings.temporalCoherence * before.NearnessTo(camera, light, settings);
+  const SummandOf ofCoherence = [](Energy& energy) -> double& { return energy.coherence; };
+  if (coherence > 0 && found.extinction)
+  {
+    pulls.push_back({ found, coherence, ofCoherence });
+  }
+  else if (coherence > 0)
+  {
+    add(coherence, ofCoherence, AppliedTo(this->Fields, this->LargestExtinction, before));
+  }
+  if (settings.referencePull > 0)
+  {
+    add(
+      settings.referencePull, [](Energy& energy) -> double& { return energy.reference; },
+      ReferenceOf(this->Fields, GivenReference::Near));
+  }
   return pulls;
 }
 }

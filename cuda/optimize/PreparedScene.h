@@ -75,9 +75,9 @@ public:
   Problem ProblemForScores(const Camera& camera, const Light& light, const Settings& settings);
 
   /// Returns all pulls of a problem but the regularisation, with references within its bounds.
-  /// `before`: the change that temporal coherence pulls to.
+  /// `before`: the change that temporal coherence pulls to; `found`: see Solver.
   std::vector<PullWithReferences> PullsFor(const CarriedChange& before, const Problem& problem,
-    const Camera& camera, const Light& light) const;
+    const Camera& camera, const Light& light, const FoundExtinctions& found = {}) const;
 
   /// Returns the importance in the energy, one value per node of the arrays [0, 1].
   const float* ImportanceFor(ImportanceSmoothing smoothing);

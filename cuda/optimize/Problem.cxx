@@ -36,6 +36,7 @@ void Problem::Use(const std::shared_ptr<const DistributedFields>& fields)
   for (std::size_t i = 0; i < this->furtherPulls.size(); ++i)
   {
     this->furtherPulls[i].reference = fields->references[i].Values();
+    this->furtherPulls[i].onDevice = nullptr;
   }
   this->shared = fields;
 }
@@ -162,12 +163,12 @@ std::vector<Pull> Problem::Pulls() const
   return all;
 }
 
-void Problem::DrawTo(const std::vector<PullWithReferences>& pulls, bool forTheLight)
+void Problem::DrawTo(const std::vector<PullWithReferences>& pulls, bool forTheLight, bool onDevice)
 {
   this->furtherPulls.clear();
   for (const PullWithReferences& pull : pulls)
   {
-    this->furtherPulls.push_back(pull.Of(forTheLight, this->WeightOfRange(pull.share)));
+    this->furtherPulls.push_back(pull.Of(forTheLight, this->WeightOfRange(pull.share), onDevice));
   }
 }
 

@@ -92,7 +92,8 @@ struct Problem
   std::vector<Pull> Pulls() const;
 
   /// Sets the further pulls. `pulls` must outlive their use.
-  void DrawTo(const std::vector<PullWithReferences>& pulls, bool forTheLight);
+  void DrawTo(
+    const std::vector<PullWithReferences>& pulls, bool forTheLight, bool onDevice = false);
 
   /// Replaces the fields by distributed ones.
   void Use(const std::shared_ptr<const DistributedFields>& fields);

@@ -62,6 +62,10 @@ public:
         pull.reference = base;
         continue;
       }
+      if (pull.onDevice)
+      {
+        continue;
+      }
       this->References.emplace_back(device, pull.reference, count, "a reference extinction");
       pull.reference = this->References.back().Data();
     }

@@ -61,8 +61,7 @@ struct Progressive::Internals
   std::size_t level = 0;          ///< of the last preview
   bool levelIsCurrent = false;    ///< whether the last preview is of the current view
   std::unique_ptr<Solver> solver; ///< of the current view; null before Refine
-  std::array<FoundExtinction, 2> kept;
-  bool keptForLight = false;        ///< whether `kept` has a separate extinction for the light
+  FoundExtinctions kept;
   std::optional<Scores> keptScores; ///< empty if not known yet
 
   void PlaceGrids()
@@ -96,8 +95,11 @@ struct Progressive::Internals
     if (this->shown == Shown::Solver)
     {
       this->keptScores = { this->solver->BaseScore(), this->solver->BestScore() };
-      this->keptForLight = HasLightExtinction(this->settings);
-      this->kept = this->solver->TakeExtinctions();
+      std::array<FoundExtinction, 2> found = this->solver->TakeExtinctions();
+      this->kept.extinction = std::make_shared<FoundExtinction>(std::move(found[0]));
+      this->kept.light = HasLightExtinction(this->settings)
+        ? std::make_shared<FoundExtinction>(std::move(found[1]))
+        : nullptr;
       this->shown = Shown::Kept;
     }
     this->solver.reset();
@@ -106,7 +108,8 @@ struct Progressive::Internals
 
   bool KeepsLight() const
   {
-    return this->shown == Shown::Kept ? this->keptForLight : HasLightExtinction(this->settings);
+    return this->shown == Shown::Kept ? this->kept.light != nullptr
+                                      : HasLightExtinction(this->settings);
   }
 
   /// Whether the current view has the same eye and light, apart from the field of view.
@@ -167,8 +170,7 @@ void Progressive::GoOnFrom(const CarriedChange& change)
   LIMPID_EXPECT(state.shown == Shown::Nothing);
   if (auto carried = AppliedTo(state.scene->Arrays(), state.scene->Majorant(), change))
   {
-    state.keptForLight = carried->hasLight;
-    state.kept = { { std::move(carried->extinction), std::move(carried->light) } };
+    state.kept = carried->Take();
     state.keptScores.reset();
     state.Show(Shown::Kept);
     state.shownCamera = change.camera;
@@ -184,22 +186,30 @@ CarriedChange Progressive::Change() const
   return DistributedAs(this->State->scene->Arrays(), this->FoundChange());
 }
 
-/// Returns the change on the grid on which it was found.
-CarriedChange Progressive::FoundChange() const
+/// Returns what is known of the change beside its values.
+CarriedChange Progressive::ChangeWithoutValues() const
 {
   const Internals& state = *this->State;
   CarriedChange change;
-  const bool isBeginning = state.shown == Shown::Solver && !state.solver->HasResult();
-  if (state.shown == Shown::Nothing || isBeginning)
-  {
-    return change;
-  }
   change.grid = state.ShownScene().Nodes();
   change.piece = state.ShownScene().Arrays().piece;
   change.camera = state.shownCamera;
   change.light = state.shownLight;
   change.settings = state.shownSettings;
   change.likeness = state.shownLikeness;
+  return change;
+}
+
+/// Returns the change on the grid on which it was found.
+CarriedChange Progressive::FoundChange() const
+{
+  const Internals& state = *this->State;
+  const bool isBeginning = state.shown == Shown::Solver && !state.solver->HasResult();
+  if (state.shown == Shown::Nothing || isBeginning)
+  {
+    return {};
+  }
+  CarriedChange change = this->ChangeWithoutValues();
   const float majorant = state.ShownScene().Majorant();
   const auto changeOf = [&](const float* extinction)
   { return ChangeOf(change.ValueCount(), this->BaseExtinction(), extinction, majorant); };
@@ -266,8 +276,13 @@ bool Progressive::Refine()
   LIMPID_EXPECT(state.hasView);
   if (!state.solver)
   {
+    // What was found in this scene is a reference as it is; else the change is carried over.
+    const bool isHere = state.shown == Shown::Kept && !state.shownOfOther;
+    const CarriedChange previous = !this->StaysNear() ? CarriedChange()
+      : isHere                                        ? this->ChangeWithoutValues()
+                                                      : this->Change();
     state.solver = std::make_unique<Solver>(state.scene, state.camera, state.light, state.settings,
-      this->StaysNear() ? this->Change() : CarriedChange());
+      previous, isHere ? state.kept : FoundExtinctions());
   }
   else
   {
@@ -362,7 +377,7 @@ const float* Progressive::FoundForCamera() const
     case Shown::Solver:
       return state.solver->Extinction().data();
     case Shown::Kept:
-      return state.kept[0].OnHost().data();
+      return state.kept.Of(false).OnHost().data();
     case Shown::Nothing:
       break;
   }
@@ -375,7 +390,7 @@ ExtinctionInPlace Progressive::FoundInPlace(bool onGpu) const
   const Internals& state = *this->State;
   const ExtinctionOnDevice there = !onGpu ? ExtinctionOnDevice()
     : state.shown == Shown::Solver        ? state.solver->OnDevice()
-    : state.shown == Shown::Kept          ? state.kept[0].OnDevice()
+    : state.shown == Shown::Kept          ? state.kept.Of(false).OnDevice()
                                           : ExtinctionOnDevice();
   return there.extinction ? ExtinctionInPlace(there) : this->FoundForCamera();
 }
@@ -391,7 +406,7 @@ const float* Progressive::FoundForLight() const
       return HasLightExtinction(state.settings) ? state.solver->LightExtinction().data()
                                                 : this->FoundForCamera();
     case Shown::Kept:
-      return state.keptForLight ? state.kept[1].OnHost().data() : this->FoundForCamera();
+      return state.kept.Of(true).OnHost().data();
     case Shown::Nothing:
       break;
   }
@@ -415,8 +430,8 @@ ShownOnDevice Progressive::OnDevice() const
   }
   else if (state.shown == Shown::Kept)
   {
-    found = state.kept[0].OnDevice();
-    ofLight = state.keptForLight ? state.kept[1].OnDevice() : found;
+    found = state.kept.Of(false).OnDevice();
+    ofLight = state.kept.Of(true).OnDevice();
   }
   return ofLight.extinction ? ShownOnDevice{ found, ofLight.extinction } : ShownOnDevice();
 }

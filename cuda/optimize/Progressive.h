@@ -123,6 +123,7 @@ public:
   std::string BackendName() const;
 
 private:
+  CarriedChange ChangeWithoutValues() const;
   CarriedChange FoundChange() const;
   const float* FoundForCamera() const;
   const float* FoundForLight() const;

@@ -31,19 +31,31 @@ struct Pull
   const float* reference = nullptr; ///< r, one value per node [1/length]
   double weight = 0;                ///< w [length]
   SummandOf summand = nullptr; ///< where records report its energy; null: it only shapes a step
+  /// If not null, `reference` is the place of this extinction in the memory of the device that
+  /// computes.
+  const FoundExtinction* onDevice = nullptr;
+
+  const float* ReferenceOnHost() const
+  {
+    return this->onDevice ? this->onDevice->OnHost().data() : this->reference;
+  }
 };
 
 /// A pull whose references are its own. Camera and light have one reference each.
 struct PullWithReferences
 {
-  CarriedExtinction references;
+  FoundExtinctions references;
   double share; ///< see Problem::WeightOfRange
   SummandOf summand;
 
-  /// Returns the pull for the camera or for the light.
-  Pull Of(bool forLight, double weight) const
+  /// Returns the pull for the camera or for the light. `onDevice`: whether a device may read the
+  /// reference where it is.
+  Pull Of(bool forLight, double weight, bool onDevice) const
   {
-    return { this->references.Of(forLight), weight, this->summand };
+    const FoundExtinction& reference = this->references.Of(forLight);
+    const ExtinctionOnDevice there = onDevice ? reference.OnDevice() : ExtinctionOnDevice();
+    return there.extinction ? Pull{ there.extinction, weight, this->summand, &reference }
+                            : Pull{ reference.OnHost().data(), weight, this->summand };
   }
 };
 

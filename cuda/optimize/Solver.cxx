@@ -16,17 +16,17 @@ Solver::Solver(const SceneFields& scene, const Camera& camera, const Light& ligh
 {
   RequireSettings(settings);
   this->State->prepared = PreparedScene::Make(scene);
-  this->State->Set(camera, light, settings, previous);
+  this->State->Set(camera, light, settings, previous, {});
   this->State->OnBackend([this] { this->State->Begin(); });
 }
 
 Solver::Solver(std::shared_ptr<PreparedScene> scene, const Camera& camera, const Light& light,
-  const Settings& settings, const CarriedChange& previous)
+  const Settings& settings, const CarriedChange& previous, const FoundExtinctions& found)
   : State(std::make_unique<Internals>())
 {
   RequireSettings(settings);
   this->State->prepared = std::move(scene);
-  this->State->Set(camera, light, settings, previous);
+  this->State->Set(camera, light, settings, previous, found);
   this->State->OnBackend([this] { this->State->Begin(); });
 }
 

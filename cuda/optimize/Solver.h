@@ -36,8 +36,11 @@ public:
     const Settings& settings, const CarriedChange& previous = {});
 
   /// Uses a scene that has been checked already and may be shared.
+  /// `found`: the extinctions that `previous` led to, if that was in this scene; its values are not
+  /// read then.
   Solver(std::shared_ptr<PreparedScene> scene, const Camera& camera, const Light& light,
-    const Settings& settings, const CarriedChange& previous = {});
+    const Settings& settings, const CarriedChange& previous = {},
+    const FoundExtinctions& found = {});
   ~Solver();
   Solver(Solver&&) noexcept;
   Solver& operator=(Solver&&) noexcept;

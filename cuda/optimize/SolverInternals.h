@@ -68,13 +68,14 @@ struct Solver::Internals
   bool settled = false;
   bool warm = false;
 
-  void Set(
-    const Camera& eye, const Light& lamp, const Settings& wanted, const CarriedChange& before)
+  /// `found`: see Solver.
+  void Set(const Camera& eye, const Light& lamp, const Settings& wanted,
+    const CarriedChange& before, const FoundExtinctions& found)
   {
     this->scene = this->prepared->Arrays();
     RequireAlike(*this->prepared, eye, lamp, wanted, before.NearnessTo(eye, lamp, wanted));
-    this->pulls =
-      this->prepared->PullsFor(before, this->prepared->ProblemFor(eye, lamp, wanted), eye, lamp);
+    this->pulls = this->prepared->PullsFor(
+      before, this->prepared->ProblemFor(eye, lamp, wanted), eye, lamp, found);
     this->camera = eye;
     this->light = lamp;
     this->settings = wanted;
@@ -120,6 +121,7 @@ struct Solver::Internals
     const bool wasStopped = this->stopped;
     const auto restore = [&]
     {
+      this->KeepPullsOnHost();
       this->Begin();
       while (!this->done && this->iterations < made)
       {
@@ -136,6 +138,27 @@ struct Solver::Internals
       [&]() -> decltype(auto) { return this->backend.Do(work, restore); });
   }
 
+  /// Brings references to the host after the device that has them failed. What it does not give
+  /// any more is lost, and nothing is drawn to it.
+  void KeepPullsOnHost()
+  {
+    const auto isLost = [](const PullWithReferences& pull)
+    {
+      try
+      {
+        pull.references.Of(false).OnHost();
+        pull.references.Of(true).OnHost();
+        return false;
+      }
+      catch (const DeviceError&)
+      {
+        return true;
+      }
+    };
+    this->pulls.erase(
+      std::remove_if(this->pulls.begin(), this->pulls.end(), isLost), this->pulls.end());
+  }
+
   Problem MakeProblem() const
   {
     Settings wanted = this->settings;
@@ -145,7 +168,7 @@ struct Solver::Internals
     }
     Problem made = this->prepared->ProblemFor(this->camera, this->light, wanted);
     made.forLight = this->lightRun;
-    made.DrawTo(this->pulls, this->lightRun);
+    made.DrawTo(this->pulls, this->lightRun, this->backend.IsOnGpu());
     return made;
   }
 
