@@ -132,5 +132,41 @@ TEST_P(GpuFaults, LeavePreviewsAndWhatIsShown)
   }
 }
 
+// A reference that only the GPU had may be lost, but not the next frame.
+TEST_P(GpuFaults, LeaveTheNextFrame)
+{
+  BoxScene scene = SmallScene(BackendKind::Auto);
+  scene.settings.temporalCoherence = 0.2;
+  const auto show = [&scene](Progressive& progressive)
+  {
+    progressive.SetView(scene.camera, scene.light, scene.settings);
+    while (!progressive.Refine())
+    {
+    }
+    return progressive.BestScore().visibility;
+  };
+  const auto move = [&scene](double by) { scene.camera.position.x += by; };
+  double truth = 0;
+  bool failed = true;
+  for (Index operation = -1; failed || operation < 1; operation += operation < 100 ? 3 : 41)
+  {
+    Progressive progressive(scene.Fields(), scene.settings);
+    show(progressive);
+    move(0.1);
+    const FailingGpu gpu(operation, GetParam());
+    const double visibility = show(progressive);
+    move(-0.1);
+    failed = Gpu().HasFailed();
+    truth = operation < 0 ? visibility : truth;
+    ASSERT_NEAR(visibility, truth, 0.02 * truth) << "operation " << operation;
+    const float* extinction = progressive.Extinction();
+    for (Index node = 0; node < scene.grid.NodeCount(); ++node)
+    {
+      ASSERT_GE(extinction[node], 0) << "operation " << operation;
+    }
+  }
+  EXPECT_GT(truth, 0);
+}
+
 INSTANTIATE_TEST_SUITE_P(OnceAndForGood, GpuFaults, ::testing::Values(false, true),
   [](const auto& forGood) { return forGood.param ? "ForGood" : "Once"; });
