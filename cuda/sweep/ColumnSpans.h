@@ -69,6 +69,14 @@ private:
 struct Reach
 {
   int least[4];
+
+  LIMPID_HD LIMPID_INLINE void Include(const Reach& other)
+  {
+    for (int k = 0; k < 4; ++k)
+    {
+      this->least[k] = other.least[k] < this->least[k] ? other.least[k] : this->least[k];
+    }
+  }
 };
 
 constexpr Reach outOfReach{ { noColumn, noColumn, noColumn, noColumn } };

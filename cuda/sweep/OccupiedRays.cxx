@@ -38,10 +38,7 @@ LIMPID_INLINE Reach HullOf(const Reach* fours, const Range<int>& rows)
   Reach hull = fours[last];
   for (int v = rows.begin; v < last; v += 4)
   {
-    for (int k = 0; k < 4; ++k)
-    {
-      hull.least[k] = fours[v].least[k] < hull.least[k] ? fours[v].least[k] : hull.least[k];
-    }
+    hull.Include(fours[v]);
   }
   return hull;
 }

@@ -11,7 +11,8 @@
 #include "sweep/SliceReaders.h"
 #include "sweep/VoxelSpans.h"
 
-#include <algorithm>
+#include <memory>
+#include <vector>
 
 namespace limpid
 {
@@ -301,11 +302,7 @@ struct MadeTouchingRays
     for (int v = voxels.begin > 0 ? voxels.begin : 0; v < voxels.end && v < this->frustum.nodesV;
          ++v)
     {
-      const Reach& other = this->reaches[Index(s) * this->frustum.nodesV + v];
-      for (int k = 0; k < 4; ++k)
-      {
-        hull.least[k] = other.least[k] < hull.least[k] ? other.least[k] : hull.least[k];
-      }
+      hull.Include(this->reaches[Index(s) * this->frustum.nodesV + v]);
     }
     this->touching.Filled(this->frustum, s).Put(row, { hull.least[0], -hull.least[1] });
     this->touching.Important(this->frustum, s).Put(row, { hull.least[2], -hull.least[3] });
@@ -323,6 +320,11 @@ struct ActiveInMaking
   LIMPID_HD LIMPID_INLINE const Range<int>& LayersOf(int row) const
   {
     return this->frustum.LayersOfBlock(row / rowsPerBlock);
+  }
+
+  LIMPID_HD LIMPID_INLINE bool IsDescribed(int s, int row) const
+  {
+    return this->frustum.SliceAt(s).rayRows.Contains(row);
   }
 
   LIMPID_HD LIMPID_INLINE Range<int>& At(int s, int row) const
@@ -344,7 +346,7 @@ struct FollowedToFront
     const Range<int>& layers = this->made.LayersOf(row);
     for (int s = layers.end - 2; s >= layers.begin; --s)
     {
-      if (frustum.SliceAt(s).rayRows.Contains(row) && frustum.SliceAt(s + 1).rayRows.Contains(row))
+      if (this->made.IsDescribed(s, row) && this->made.IsDescribed(s + 1, row))
       {
         const ColumnSpans here = this->made.touching.Important(frustum, s);
         here.Put(row, Hull(here.At(row), this->made.touching.Important(frustum, s + 1).At(row)));
@@ -399,18 +401,13 @@ struct ActiveRow
   }
 
 private:
-  LIMPID_HD LIMPID_INLINE bool IsDescribed(int s, int row) const
-  {
-    return this->made.frustum.SliceAt(s).rayRows.Contains(row);
-  }
-
   /// Rays that are active on a slice stay active on all slices in front of it.
   LIMPID_HD LIMPID_INLINE void FollowToFront(int row) const
   {
     const Range<int>& layers = this->made.LayersOf(row);
     for (int s = layers.end - 2; s >= layers.begin; --s)
     {
-      if (this->IsDescribed(s, row) && this->IsDescribed(s + 1, row))
+      if (this->made.IsDescribed(s, row) && this->made.IsDescribed(s + 1, row))
       {
         Range<int>& active = this->made.At(s, row);
         active = Hull(active, this->made.At(s + 1, row));
@@ -427,7 +424,7 @@ private:
     Range<int> carried;
     for (int s = layers.begin; s < layers.end; ++s)
     {
-      if (!this->IsDescribed(s, row))
+      if (!this->made.IsDescribed(s, row))
       {
         continue;
       }
@@ -437,7 +434,7 @@ private:
       const Range<int> needed = Hull(active, carried);
       const bool isOutside = frustum.Row(frustum.rowEntry)[row] > behind.RelativeDepth();
       carried = isOutside ? needed : Intersection(needed, behind.outsideColumns);
-      active = this->Cut(needed, s, behind.rayRows.Contains(row) ? next : s, row);
+      active = this->Cut(needed, s, this->made.IsDescribed(next, row) ? next : s, row);
     }
   }
 
