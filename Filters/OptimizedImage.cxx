@@ -18,11 +18,13 @@
 #include "vtkStringArray.h"
 #include "vtkTable.h"
 
+#include "math/Require.h"
 #include "viewpoint/Concurrent.h"
 #include "viewpoint/MeetTargets.h"
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace limpid
 {
@@ -120,46 +122,128 @@ void AddScores(const OptimizationSummary& summary, vtkTable* table)
 }
 }
 
-void AddFields(
-  const Solver& solver, const SceneArrays& arrays, double unitDistance, vtkImageData* output)
+const std::vector<std::string>& ResultArrays::All()
+{
+  static const std::vector<std::string> all{ "Extinction", "LightExtinction", "Opacity",
+    "BaseExtinction", "Importance", "Transmittance", "LightTransmittance", "MissedImportance" };
+  return all;
+}
+
+ResultArrays::ResultArrays(const std::set<std::string>& names)
+  : Names(names)
+{
+  for (const std::string& name : names)
+  {
+    const bool isKnown = std::find(All().begin(), All().end(), name) != All().end();
+    LIMPID_REQUIRE(isKnown,
+      "ResultArrays has \"" << name << "\" (there is no such result). Choose of "
+                            << ResultArrays({ All().begin(), All().end() }).Text() << '.');
+  }
+}
+
+ResultArrays ResultArrays::OfSweeps() const
+{
+  const std::set<std::string> sweeps{ "Transmittance", "LightTransmittance", "MissedImportance" };
+  std::set<std::string> both;
+  std::set_intersection(this->Names.begin(), this->Names.end(), sweeps.begin(), sweeps.end(),
+    std::inserter(both, both.end()));
+  return ResultArrays(both);
+}
+
+std::string ResultArrays::Text() const
+{
+  std::string text;
+  for (const std::string& name : this->Names)
+  {
+    text += (text.empty() ? "\"" : ", \"") + name + '"';
+  }
+  return text;
+}
+
+namespace
+{
+/// Adds the arrays that every result has. `light`: null: the light has no extinction of its own.
+void AddExtinctions(const float* extinction, const float* light, const SceneArrays& arrays,
+  double unitDistance, const ResultArrays& wanted, vtkImageData* output)
+{
+  const vtkIdType count = output->GetNumberOfPoints();
+  if (wanted.Has("Extinction"))
+  {
+    AddCopy("Extinction", extinction, count, output);
+  }
+  if (light && wanted.Has("LightExtinction"))
+  {
+    AddCopy("LightExtinction", light, count, output);
+  }
+  if (wanted.Has("Opacity"))
+  {
+    AddOpacity(extinction, unitDistance, output);
+  }
+  if (wanted.Has("BaseExtinction"))
+  {
+    output->GetPointData()->AddArray(arrays.baseExtinction);
+  }
+  if (wanted.Has("Importance"))
+  {
+    output->GetPointData()->AddArray(arrays.importance);
+  }
+}
+}
+
+void AddFields(const Solver& solver, const SceneArrays& arrays, double unitDistance,
+  const ResultArrays& wanted, vtkImageData* output)
 {
   const vtkIdType count = output->GetNumberOfPoints();
   const float* extinction = solver.Extinction().data();
-  AddCopy("Extinction", extinction, count, output);
-  if (!solver.LightExtinction().empty())
+  const std::vector<float>& light = solver.LightExtinction();
+  AddExtinctions(
+    extinction, light.empty() ? nullptr : light.data(), arrays, unitDistance, wanted, output);
+  if (wanted.Has("Transmittance") || wanted.Has("MissedImportance"))
   {
-    AddCopy("LightExtinction", solver.LightExtinction().data(), count, output);
+    const vtkSmartPointer<vtkFloatArray> transmittance =
+      NewArray<vtkFloatArray>("Transmittance", count);
+    solver.Transmittance(transmittance->GetPointer(0));
+    if (wanted.Has("Transmittance"))
+    {
+      output->GetPointData()->AddArray(transmittance);
+    }
+    if (wanted.Has("MissedImportance"))
+    {
+      AddMissedImportance(arrays, extinction, transmittance->GetPointer(0), output);
+    }
   }
-  AddOpacity(extinction, unitDistance, output);
-  output->GetPointData()->AddArray(arrays.baseExtinction);
-  output->GetPointData()->AddArray(arrays.importance);
-
-  const vtkSmartPointer<vtkFloatArray> transmittance =
-    NewArray<vtkFloatArray>("Transmittance", count);
-  solver.Transmittance(transmittance->GetPointer(0));
-  output->GetPointData()->AddArray(transmittance);
-  AddMissedImportance(arrays, extinction, transmittance->GetPointer(0), output);
-  const vtkSmartPointer<vtkFloatArray> lightTransmittance =
-    NewArray<vtkFloatArray>("LightTransmittance", count);
-  solver.LightTransmittance(lightTransmittance->GetPointer(0));
-  output->GetPointData()->AddArray(lightTransmittance);
+  if (wanted.Has("LightTransmittance"))
+  {
+    const vtkSmartPointer<vtkFloatArray> transmittance =
+      NewArray<vtkFloatArray>("LightTransmittance", count);
+    solver.LightTransmittance(transmittance->GetPointer(0));
+    output->GetPointData()->AddArray(transmittance);
+  }
 }
 
-void AddUnsolvedFields(
-  const SceneArrays& arrays, double unitDistance, bool separate, vtkImageData* output)
+void AddFields(const CarriedExtinction& found, const SceneArrays& arrays, double unitDistance,
+  const ResultArrays& wanted, vtkImageData* output)
+{
+  AddExtinctions(found.extinction.data(), found.hasLight ? found.light.data() : nullptr, arrays,
+    unitDistance, wanted, output);
+}
+
+void AddUnsolvedFields(const SceneArrays& arrays, double unitDistance, bool separate,
+  const ResultArrays& wanted, vtkImageData* output)
 {
   const float* extinction = arrays.baseExtinction->GetPointer(0);
-  AddCopy("Extinction", extinction, output->GetNumberOfPoints(), output);
-  if (separate)
+  AddExtinctions(extinction, separate ? extinction : nullptr, arrays, unitDistance, wanted, output);
+  for (const char* name : { "Transmittance", "LightTransmittance" })
   {
-    AddCopy("LightExtinction", extinction, output->GetNumberOfPoints(), output);
+    if (wanted.Has(name))
+    {
+      AddConstant(name, 1, output);
+    }
   }
-  AddOpacity(extinction, unitDistance, output);
-  output->GetPointData()->AddArray(arrays.baseExtinction);
-  output->GetPointData()->AddArray(arrays.importance);
-  AddConstant("Transmittance", 1, output);
-  AddConstant("LightTransmittance", 1, output);
-  AddConstant("MissedImportance", 0, output);
+  if (wanted.Has("MissedImportance"))
+  {
+    AddConstant("MissedImportance", 0, output);
+  }
 }
 
 OptimizationSummary SummaryOf(const Solver& solver)
@@ -177,6 +261,16 @@ OptimizationSummary SummaryOf(const Solver& solver)
   return summary;
 }
 
+OptimizationSummary SummaryOf(const Solver& onControlGrid, const Solver& onData)
+{
+  OptimizationSummary summary = SummaryOf(onData);
+  summary.iterations = onControlGrid.Iterations();
+  summary.settled = onControlGrid.Settled();
+  summary.seconds += onControlGrid.Seconds();
+  summary.history = onControlGrid.History();
+  return summary;
+}
+
 void AddSummary(const OptimizationSummary& summary, vtkFieldData* output)
 {
   AddValue<vtkDoubleArray>("VisibilityScore", summary.score.visibility, output);
@@ -188,6 +282,7 @@ void AddSummary(const OptimizationSummary& summary, vtkFieldData* output)
   AddValue<vtkDoubleArray>("AttainableScore", summary.ceiling.visibility, output);
   AddValue<vtkDoubleArray>("AttainableLightScore", summary.ceiling.lightVisibility, output);
   AddValue<vtkDoubleArray>("Energy", summary.energy, output);
+  AddValue<vtkIntArray>("ControlFactor", summary.controlFactor, output);
   AddValue<vtkIntArray>("Iterations", summary.iterations, output);
   AddValue<vtkIntArray>("Settled", summary.settled ? 1 : 0, output);
   AddValue<vtkDoubleArray>("Seconds", summary.seconds, output);

@@ -8,6 +8,7 @@
 
 #include "optimize/Solver.h"
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -23,15 +24,41 @@ struct TargetsFound;
 struct Light;
 struct SceneArrays;
 
+/// Names of the point arrays that a filter writes.
+class ResultArrays
+{
+public:
+  /// Returns all names.
+  static const std::vector<std::string>& All();
+
+  /// Throws limpid::Error if a name is not one of All().
+  explicit ResultArrays(const std::set<std::string>& names);
+
+  bool Has(const std::string& name) const { return this->Names.count(name) > 0; }
+
+  /// Returns those that need a sweep through the data: transmittances and what is made of them.
+  ResultArrays OfSweeps() const;
+
+  /// Returns the names in quotation marks, with commas; may be empty.
+  std::string Text() const;
+
+private:
+  std::set<std::string> Names;
+};
+
 /// Adds the point arrays of an optimised scene.
-void AddFields(
-  const Solver& solver, const SceneArrays& arrays, double unitDistance, vtkImageData* output);
+void AddFields(const Solver& solver, const SceneArrays& arrays, double unitDistance,
+  const ResultArrays& wanted, vtkImageData* output);
+
+/// Adds the point arrays of an extinction, without those of sweeps.
+void AddFields(const CarriedExtinction& found, const SceneArrays& arrays, double unitDistance,
+  const ResultArrays& wanted, vtkImageData* output);
 
 /// Adds the point arrays and scores of a scene in which nothing can be hidden, because the image
 /// has no volume: the base extinction with transmittances of 1. `separate`: also the extinction for
 /// the light.
-void AddUnsolvedFields(
-  const SceneArrays& arrays, double unitDistance, bool separate, vtkImageData* output);
+void AddUnsolvedFields(const SceneArrays& arrays, double unitDistance, bool separate,
+  const ResultArrays& wanted, vtkImageData* output);
 
 /// The results of an optimisation. Defaults are those of a scene in which nothing can be hidden.
 struct OptimizationSummary
@@ -40,6 +67,7 @@ struct OptimizationSummary
   Score baseScore;
   Ceiling ceiling;
   double energy = 0;
+  int controlFactor = 1; ///< see ControlGrid
   int iterations = 0;
   bool settled = true;
   double seconds = 0;
@@ -48,6 +76,10 @@ struct OptimizationSummary
 };
 
 OptimizationSummary SummaryOf(const Solver& solver);
+
+/// Returns the summary of an optimisation on a control grid, with scores of the data.
+/// `onData`: see ControlledScene::OnData.
+OptimizationSummary SummaryOf(const Solver& onControlGrid, const Solver& onData);
 
 /// Adds scores, energy and effort as field data.
 void AddSummary(const OptimizationSummary& summary, vtkFieldData* output);

@@ -24,7 +24,8 @@
  *   "MissedImportance"   the importance that cannot be seen: importance minus the share of its
  *                        matter that was kept and whose light reaches the camera; 0 without
  *                        matter [0, 1].
- * An input array of the same name is replaced, with a warning.
+ * An input array of the same name is replaced, with a warning. ResultArrays says which of them are
+ * written.
  *
  * Output port 0 also has field data with one tuple each:
  *   "VisibilityScore", "BaseVisibilityScore": S of Eq. (32) [length^2],
@@ -32,9 +33,10 @@
  *     whose light reaches the camera [0, 1],
  *   "SacrificedFraction": the share of it that was removed [0, 1],
  *   "Energy", "Iterations", "Seconds", "Backend",
- *   "Settled": 1 if another iteration would change next to nothing, 0 if they ended at a limit,
- *   "CameraPosition", "CameraFocalPoint", "CameraViewUp", "LightPosition",
- *     "ScalarOpacityUnitDistance": the values that were used,
+ *   "ControlFactor": 1 if the change was found at the resolution of the data, 2 for half of it
+ * along each axis, and so on, see ControlResolution, "Settled": 1 if another iteration would change
+ * next to nothing, 0 if they ended at a limit, "CameraPosition", "CameraFocalPoint",
+ * "CameraViewUp", "LightPosition", "ScalarOpacityUnitDistance": the values that were used,
  *   "AttainableFraction", "AttainableScore", "AttainableLightScore": bounds that no extinction
  *     within its limits could exceed; 0 for methods other than OPTIMIZED; the last is also 0
  *     for a light without weight,
@@ -57,6 +59,12 @@
  *   "HiddenByOther", "HiddenBy<Name>": it is hidden by each structure; only for up to 256;
  * and "Weight", the importance that was used.
  * Visible, Removed and all HiddenBy add up to 1.
+ *
+ * ControlResolution and MemoryLimit choose the grid on which the change of the extinction is found.
+ * On a coarser one than that of the data, scores, shares and arrays are still those of the data, by
+ * sweeps through it. If the data with these do not fit into MemoryLimit, they are those of the
+ * coarser grid, and "Transmittance", "LightTransmittance" and "MissedImportance" are left out, with
+ * a warning.
  *
  * If structures have targets, the optimisation is repeated with other importances until as much of
  * them is visible, or no further run helps, at most 20 times (limpid::TargetSearch). A target above
@@ -81,6 +89,8 @@
 #include "vtkVisibilityAlgorithm.h"
 
 #include <memory> // for the hidden core
+#include <set>    // for a member
+#include <string> // for a member
 
 class vtkTable;
 
@@ -197,6 +207,18 @@ public:
 
   ///@{
   /**
+   * Names of the point arrays that are written, see above. Others are not computed, which takes
+   * less memory and time. Scores do not depend on it. A name that is none of them is an error of
+   * the run. Default is all.
+   */
+  void AddResultArray(const char* name);
+  void RemoveAllResultArrays();
+  int GetNumberOfResultArrays();
+  const char* GetResultArray(int index);
+  ///@}
+
+  ///@{
+  /**
    * Whether a run starts from the result of the previous one, if the size of the image is
    * unchanged. This is faster while a camera moves or time advances, but results may depend on
    * previous runs. Joint mode only. Default is off.
@@ -231,6 +253,7 @@ private:
   vtkTypeBool OptimizeViewpoint = 0;
   int ViewpointGuide = ATTAINABLE;
   vtkTypeBool WarmStart = 0;
+  std::set<std::string> ResultArrays;
 
   void Optimize(vtkInformationVector** inputVector, vtkImageData* output, vtkTable* convergence,
     vtkTable* structures);

@@ -143,6 +143,8 @@ std::string ScoreText(vtkTransmittanceVolumeMapper* mapper, bool isInView, const
     const double removed = mapper->GetSacrificedFraction();
     text += removed >= worthTelling ? PercentText(removed) + " removed, " : "";
     text += StateOfIterations(mapper);
+    const std::string resolution = mapper->GetOptimizedAt();
+    text += resolution.empty() ? "" : " at " + resolution;
   }
   return text + StructureLines(mapper);
 }

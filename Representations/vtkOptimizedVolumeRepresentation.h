@@ -103,6 +103,7 @@ public:
   void SetShadows(int);
   void SetShadowStrength(double);
   void SetLightSource(int);
+  void SetDrawOn(int);
   void SetLightIntensity(double);
   void SetVolumeAmbient(double);
   void SetVolumeSpecular(double);
@@ -213,6 +214,8 @@ public:
   int GetIterations();
   const char* GetLightDescription();
   const char* GetBackendName();
+  const char* GetOptimizedAt();
+  const char* GetDrawnBy();
   ///@}
 
   /**

@@ -29,6 +29,7 @@ LIMPID_FORWARD(PauseOptimization, int)
 LIMPID_FORWARD(Shadows, int)
 LIMPID_FORWARD(ShadowStrength, double)
 LIMPID_FORWARD(LightSource, int)
+LIMPID_FORWARD(DrawOn, int)
 LIMPID_FORWARD(LightIntensity, double)
 LIMPID_FORWARD_AS(VolumeAmbient, Ambient, double)
 LIMPID_FORWARD_AS(VolumeSpecular, Specular, double)
@@ -55,6 +56,8 @@ LIMPID_FORWARD_RESULT(AttainableLightScore, double)
 LIMPID_FORWARD_RESULT(Iterations, int)
 LIMPID_FORWARD_RESULT(LightDescription, const char*)
 LIMPID_FORWARD_RESULT(BackendName, const char*)
+LIMPID_FORWARD_RESULT(OptimizedAt, const char*)
+LIMPID_FORWARD_RESULT(DrawnBy, const char*)
 
 #undef LIMPID_FORWARD
 #undef LIMPID_FORWARD_AS

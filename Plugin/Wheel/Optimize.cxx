@@ -5,6 +5,8 @@
 #include "Bindings.h"
 #include "Computing.h"
 
+#include "optimize/ControlledScene.h"
+#include "optimize/SceneStructures.h"
 #include "optimize/Solver.h"
 #include "scene/ViewSet.h"
 #include "viewpoint/Concurrent.h"
@@ -32,6 +34,9 @@ namespace limpid::python
 {
 namespace
 {
+// Memory of an optimisation beside its input.
+constexpr NeedPerNode need{ 12, 24 };
+
 // The input and the settings of an optimisation.
 struct Run
 {
@@ -41,7 +46,8 @@ struct Run
   }
 
   SceneFields scene;
-  std::vector<float> changing; ///< importance of the scene where targets change it
+  std::optional<ControlledScene> controlled; ///< the scene and the grid of its change
+  std::vector<float> changing;               ///< importance of the scene where targets change it
   Camera camera;
   Light light;
   Settings settings;
@@ -51,21 +57,31 @@ struct Run
   CarriedChange* previous = nullptr; ///< reference to stay near; null: none
   Progress progress;
 
-  ConcurrentResult Solve() const
+  /// Chooses the grid of the change.
+  void Control()
+  {
+    const ControlGrid grid = InfoOf(this->settings.method).iterates
+      ? ChooseControlGrid(
+          this->settings, this->scene.grid, *ScenePiece::Whole(this->scene.grid), need)
+      : ControlGrid();
+    this->controlled.emplace(this->scene, grid, this->settings.importanceSmoothing);
+  }
+
+  ConcurrentResult Solve(const SceneFields& fields) const
   {
     if (this->guide)
     {
       return OptimizeConcurrently(
-        this->scene, this->camera, this->light, this->settings, *this->guide, this->progress);
+        fields, this->camera, this->light, this->settings, *this->guide, this->progress);
     }
     const std::vector<Camera> cameras = CamerasOf(this->views, this->camera, OrbitStart::AtCamera);
     ConcurrentResult result;
     result.camera = this->camera;
-    result.solver = std::make_unique<Solver>(this->scene, cameras.front(), this->light,
+    result.solver = std::make_unique<Solver>(fields, cameras.front(), this->light,
       ForCameras(this->settings, cameras), this->previous ? *this->previous : CarriedChange());
     if (this->initial)
     {
-      result.solver->SetInitialExtinction(this->initial);
+      this->controlled->Start(*result.solver, this->initial);
     }
     result.solver->Run(this->progress);
     return result;
@@ -75,12 +91,21 @@ struct Run
   TargetsFound SolveFor(
     const Structures& structures, const StructureRow* rows, ConcurrentResult& found)
   {
-    this->changing.assign(
-      this->scene.importance, this->scene.importance + this->scene.ValueCount());
-    this->scene.importance = this->changing.data();
-    found = this->Solve();
-    return MeetTargets({ this->scene, this->changing.data(), structures, rows },
+    SceneFields fields = this->controlled->Fields();
+    const std::vector<StructureRow> there = this->controlled->Rows(rows);
+    this->changing.assign(fields.importance, fields.importance + fields.ValueCount());
+    fields.importance = this->changing.data();
+    found = this->Solve(fields);
+    TargetsFound seen = MeetTargets({ fields, this->changing.data(), structures, there.data() },
       this->previous ? *this->previous : CarriedChange(), this->progress, found.solver);
+    if (this->controlled->IsCoarser())
+    {
+      this->changing.resize(std::size_t(this->scene.ValueCount()));
+      FillImportance(seen.structures, rows, this->scene.ValueCount(), this->changing.data());
+      this->scene.importance = this->changing.data();
+      this->controlled->PrepareData(this->scene);
+    }
+    return seen;
   }
 };
 
@@ -126,7 +151,8 @@ nb::list RowsOf(const TargetsFound& found)
   return rows;
 }
 
-nb::dict ResultsOf(const Solver& solver, const Camera& camera)
+// `onGrid`: the solver that has iterated, which may be another one than that of the data.
+nb::dict ResultsOf(const Solver& solver, const Solver& onGrid, const Camera& camera)
 {
   nb::dict results;
   const Score base = solver.BaseScore();
@@ -141,11 +167,11 @@ nb::dict ResultsOf(const Solver& solver, const Camera& camera)
   results["attainable_score"] = ceiling.visibility;
   results["attainable_light_score"] = ceiling.lightVisibility;
   results["energy"] = solver.BestEnergy().Total();
-  results["iterations"] = solver.Iterations();
-  results["settled"] = solver.Settled();
-  results["seconds"] = solver.Seconds();
-  results["backend"] = solver.BackendName();
-  results["convergence"] = RowsOf(solver.History());
+  results["iterations"] = onGrid.Iterations();
+  results["settled"] = onGrid.Settled();
+  results["seconds"] = onGrid.Seconds();
+  results["backend"] = onGrid.BackendName();
+  results["convergence"] = RowsOf(onGrid.History());
   results["camera_position"] = ToTriple(camera.position);
   results["camera_view_up"] = ToTriple(camera.viewUp);
   return results;
@@ -170,23 +196,37 @@ nb::dict Optimize(const Grid& grid, const Field& extinction, const Field& import
   run.previous = previous;
   run.progress = ToProgress(progress);
   ConcurrentResult found;
+  std::unique_ptr<Solver> onData;   // null: the grid of the change is that of the data
   std::optional<TargetsFound> seen; // of structures; none: there are none
   ComputeBesidePython(
     [&]
     {
+      run.Control();
       if (structures && rows)
       {
         seen = run.SolveFor(StructuresOf(*structures), rows->data(), found);
       }
       else
       {
-        found = run.Solve();
+        found = run.Solve(run.controlled->Fields());
       }
-      found.solver->BestScore(); // it may take a sweep
-      found.solver->FindCeiling();
+      if (run.controlled->MeasuresData())
+      {
+        onData = run.controlled->OnData(*found.solver);
+        if (seen)
+        {
+          seen->shares = onData->SharesOf(seen->structures, rows->data());
+        }
+      }
+      const Solver& judged = onData ? *onData : *found.solver;
+      judged.BestScore(); // it may take a sweep
+      judged.FindCeiling();
     });
 
-  nb::dict results = ResultsOf(*found.solver, found.camera);
+  nb::dict results = ResultsOf(onData ? *onData : *found.solver, *found.solver, found.camera);
+  results["control_factor"] = run.controlled->Control().factor;
+  results["resolution"] =
+    run.controlled->IsCoarser() && !onData ? run.controlled->Control().Text() : std::string();
   if (seen)
   {
     results["structures"] = RowsOf(*seen);
@@ -203,7 +243,14 @@ nb::dict Optimize(const Grid& grid, const Field& extinction, const Field& import
       {
         change = found.solver->Change();
       }
-      std::array<FoundExtinction, 2> taken = found.solver->TakeExtinctions();
+      if (run.controlled->IsCoarser() && !onData)
+      {
+        CarriedExtinction drawn = run.controlled->ExtinctionOnData(*found.solver);
+        forCamera = std::move(drawn.extinction);
+        forLight = std::move(drawn.light);
+        return;
+      }
+      std::array<FoundExtinction, 2> taken = (onData ? onData : found.solver)->TakeExtinctions();
       forCamera = taken[0].Take();
       forLight = taken[1].Take();
     });

@@ -40,6 +40,11 @@ void BindChoices(nb::module_& module)
   nb::enum_<ImportanceSmoothing>(module, "ImportanceSmoothing")
     .value("off", ImportanceSmoothing::Off)
     .value("median", ImportanceSmoothing::Median);
+  nb::enum_<ControlResolution>(module, "ControlResolution")
+    .value("auto", ControlResolution::FinestThatFits)
+    .value("full", ControlResolution::Full)
+    .value("half", ControlResolution::Half)
+    .value("quarter", ControlResolution::Quarter);
   nb::enum_<BackendKind>(module, "Backend")
     .value("auto", BackendKind::Auto)
     .value("cpu", BackendKind::Cpu)

@@ -6,6 +6,7 @@
 #ifndef limpid_Frame_h
 #define limpid_Frame_h
 
+#include "PictureBackend.h"
 #include "SceneLight.h"
 
 #include "distributed/Communicator.h"
@@ -36,6 +37,7 @@ struct FrameSettings
   bool lit = true;
   double sampleDistance = 1;
   bool jitter = false;
+  DrawOn drawOn = DrawOn::Auto;
   bool showMissed = false; ///< paint over what misses important structures
   std::array<float, 3> missedColor{ { 1, 0, 1 } };
   double structureColors = 0; ///< share of the colours of structures in those of samples [0, 1]
@@ -62,6 +64,12 @@ struct FrameSettings
     return this->optimize ? InfoOf(this->solver.method).compositing : Compositing::FrontToBack;
   }
 
+  /// Returns whether rays read the importance.
+  bool DrawsImportance() const
+  {
+    return this->showMissed || this->Composing() != Compositing::FrontToBack;
+  }
+
   bool CastsShadows() const { return !this->optimize || InfoOf(this->solver.method).castsShadows; }
 
   /// Returns whether pictures show another extinction than that of the transfer functions.
@@ -84,7 +92,10 @@ struct FrameResult
   int iterations = 0;
   std::string light;
   std::string backend;
-  std::string warning; ///< about targets that are not met; may be empty
+  std::string optimizedAt; ///< resolution of the optimisation; empty: that of the data
+  std::string drawnBy;     ///< see PictureBackend
+  Index uploadedBytes = 0; ///< see PictureBackend
+  std::string warning;     ///< about targets that are not met; may be empty
 };
 
 /// Messages about a frame that was drawn in spite of them.

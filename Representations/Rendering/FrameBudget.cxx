@@ -19,26 +19,45 @@ double RoundUp(double size)
 }
 }
 
-double FrameBudget::PixelSize(double pixels, double seconds)
+double FrameBudget::Coarseness(double pixels, double seconds, double farthest)
 {
   const double rays = std::max(seconds, 1e-6) / this->SecondsPerRay;
   const double size = std::sqrt(std::max(pixels, 1.0) / rays);
-  const bool tooSmall = size > 1.05 * this->LastPixelSize;
-  const bool tooLarge = size < 0.75 * this->LastPixelSize;
-  if (tooSmall || tooLarge)
+  const bool tooFine = size > 1.05 * this->LastCoarseness;
+  const bool tooCoarse = size < 0.75 * this->LastCoarseness;
+  if (tooFine || tooCoarse)
   {
-    this->LastPixelSize = RoundUp(std::min(std::max(size, 1.0), LargestPixelSize));
+    this->LastCoarseness = RoundUp(std::max(size, 1.0));
   }
-  return this->LastPixelSize;
+  const double most = LargestPixelSize * std::sqrt(std::max(farthest, 1.0));
+  this->LastCoarseness = std::min(this->LastCoarseness, most);
+  return this->LastCoarseness;
 }
 
-void FrameBudget::Record(double rays, double seconds)
+double FrameBudget::PixelSizeOf(double coarseness)
+{
+  return std::min(coarseness, LargestPixelSize);
+}
+
+// A picture takes as long as it has samples.
+double FrameBudget::StepOf(double coarseness)
+{
+  const double beyond = coarseness / PixelSizeOf(coarseness);
+  return beyond * beyond;
+}
+
+void FrameBudget::Expect(double secondsPerRay)
+{
+  this->SecondsPerRay = this->Measured ? this->SecondsPerRay : secondsPerRay;
+}
+
+void FrameBudget::Record(double rays, double step, double seconds)
 {
   if (!(rays > 0 && seconds >= 0))
   {
     return;
   }
-  const double now = std::max(seconds / rays, 1e-9);
+  const double now = std::max(step * seconds / rays, 1e-9);
   this->SecondsPerRay = this->Measured ? 0.5 * (this->SecondsPerRay + now) : now;
   this->Measured = true;
 }

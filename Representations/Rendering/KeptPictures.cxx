@@ -28,9 +28,9 @@ bool AreSameFrames(const FrameSettings& one, const FrameSettings& other)
   return one.optimize == other.optimize && one.measure == other.measure && one.once == other.once &&
     one.paused == other.paused && one.solver == other.solver &&
     AreSameSets(one.views, other.views) && AreSameLights(one.light, other.light) &&
-    one.lighting == other.lighting && one.lit == other.lit && one.showMissed == other.showMissed &&
-    one.missedColor == other.missedColor && one.structureColors == other.structureColors &&
-    one.colorsOfRows == other.colorsOfRows;
+    one.lighting == other.lighting && one.lit == other.lit && one.drawOn == other.drawOn &&
+    one.showMissed == other.showMissed && one.missedColor == other.missedColor &&
+    one.structureColors == other.structureColors && one.colorsOfRows == other.colorsOfRows;
 }
 
 bool AreSameGeometries(const ViewGeometry& one, const ViewGeometry& other)
@@ -110,10 +110,5 @@ void KeptPictures::KeepTile(KeptPicture kept)
   {
     this->Tiles.erase(this->Tiles.begin());
   }
-}
-
-void KeptPictures::Clear()
-{
-  *this = KeptPictures();
 }
 }

@@ -27,7 +27,7 @@ struct PictureSubject
   ViewGeometry geometry;
   View rays;                ///< rays of the picture at full resolution, except their ends
   std::vector<float> depth; ///< ends of the rays in clip coordinates; empty: the end of the range
-  std::array<std::uint64_t, 4> data{}; ///< versions of scalars, functions, importance and scene
+  std::array<std::uint64_t, 3> data{}; ///< versions of scalars, functions and scene
   std::uint64_t found = 0;             ///< version of the optimisation; 0: picture without it
 
   /// Returns the subject of the picture without optimisation of this view.
@@ -60,8 +60,6 @@ public:
   /// of other pictures.
   void KeepTile(KeptPicture kept);
   void ClearTiles() { this->Tiles.clear(); }
-
-  void Clear();
 
 private:
   std::array<std::optional<KeptPicture>, 2> Slots; ///< without and with optimisation

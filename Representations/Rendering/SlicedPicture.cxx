@@ -4,7 +4,6 @@
 #include "SlicedPicture.h"
 
 #include "KeptPictures.h"
-#include "OpaqueDepth.h"
 
 #include <algorithm>
 #include <utility>
@@ -38,11 +37,9 @@ bool SlicedPicture::Advance(const std::function<bool()>& isOutOfTime, const Cast
     const int end = std::min(this->Rows + this->RowsOfSlice, rays.height);
     const auto first = std::ptrdiff_t(this->Rows) * rays.width;
     const auto last = std::ptrdiff_t(end) * rays.width;
-    std::vector<float> depth(this->Goal.depth.size(), noRay);
-    std::copy(
-      this->Goal.depth.begin() + first, this->Goal.depth.begin() + last, depth.begin() + first);
     View view = rays;
-    view.depth = depth.data();
+    view.depth = this->Goal.depth.data();
+    view.rows = { this->Rows, end };
     const Picture* slice = cast(view);
     if (!slice)
     {

@@ -37,13 +37,13 @@ void ViewOptimization::TakeScene(const FrameSettings& frame, const VolumeData& d
   this->Most.reset();
   this->Front.reset();
   this->OfStructures = {};
-  this->Base = nullptr;
+  this->Fields = nullptr;
   this->Targets.TakeStructures(data);
   auto optimizer = std::make_unique<Progressive>(data.Scene(), frame.solver);
   optimizer->GoOnFrom(shown);
   this->Optimizer = std::move(optimizer);
-  this->Base = data.BaseExtinction();
-  this->Part = data.Drawn();
+  this->Fields = data.SceneOwner();
+  this->Part = data.ScenePart();
   this->SceneVersion = data.SceneVersion();
   this->SceneTimeVersion = data.TimeVersion();
 }
@@ -129,7 +129,7 @@ bool ViewOptimization::TriesOtherImportances(const VolumeData& data,
   const Interruptible interruptible([&isAborted]() { return !isAborted(); });
   const bool ends = opaque && this->ViewCameras.size() == 1;
   if (!this->Targets.Judge(this->Optimizer->SharesFrom(this->ViewCameras, *data.Labelled(),
-        data.StructureRows(), this->Optimizer->Extinction(), ends ? &*opaque : nullptr)))
+        data.SceneRows(), this->Optimizer->Extinction(), ends ? &*opaque : nullptr)))
   {
     return false;
   }
@@ -341,6 +341,8 @@ void ViewOptimization::Advance(const FrameSettings& frame, const VolumeData& dat
   result.iterations = this->Optimizer->Iterations();
   result.settled = this->Optimizer->Settled();
   result.backend = this->Optimizer->BackendName();
+  const ControlGrid& control = data.SceneResolution();
+  result.optimizedAt = control.factor > 1 ? control.Text() : "";
   result.converged = frame.still && (frozen || this->IsComplete()) && this->Remaining == 0;
   result.warning = frame.optimize ? this->Targets.Warning() : "";
   if (frame.optimize && result.converged)
@@ -366,7 +368,7 @@ void ViewOptimization::MeasureStructures(
   {
     const Structures* tried = this->Targets.Tried();
     known->shares = this->Optimizer->SharesFrom({ look.camera }, tried ? *tried : *data.Labelled(),
-      data.StructureRows(), seen, look.opaque ? &*look.opaque : nullptr);
+      data.SceneRows(), seen, look.opaque ? &*look.opaque : nullptr);
     if (!this->IsBaseView && AreSame(std::vector<Camera>{ look.camera }, this->ViewCameras))
     {
       this->Targets.RaiseCeilings(known->shares);
@@ -391,12 +393,12 @@ StructureRow ViewOptimization::PickStructure(
   const Vec3& begin, const Vec3& end, bool optimized, const VolumeData& data) const
 {
   const bool fits = this->Optimizer && this->SceneVersion == data.SceneVersion() &&
-    this->Optimizer->ShownGrid().nodes == data.Whole().nodes;
+    this->Optimizer->ShownGrid().nodes == this->Part.Whole().nodes;
   if (!fits || !data.Labelled())
   {
     return 0;
   }
-  return PickedStructure(data.Whole(), data.StructureRows(),
+  return PickedStructure(this->Part.Whole(), data.SceneRows(),
     optimized ? this->Optimizer->Extinction() : this->Optimizer->BaseExtinction(), begin, end);
 }
 
@@ -420,10 +422,9 @@ void ViewOptimization::Release()
   this->Most.reset();
   this->Front.reset();
   this->OfStructures = {};
-  this->Base = nullptr;
+  this->Fields = nullptr;
   this->ShowsBase = true;
   this->HidesFound = false;
-  ++this->Changes;
   this->CasterVersion = 0;
   this->Remaining = 0;
 }
@@ -432,6 +433,7 @@ void ViewOptimization::Stop()
 {
   this->Pictures.SetExtinction(Grid(), nullptr, nullptr);
   this->Release();
+  ++this->Changes;
 }
 
 void ViewOptimization::Reset()

@@ -75,6 +75,9 @@ public:
   /// change begins there.
   void ShowFoundAgain();
 
+  /// Returns whether anything was optimised, and its memory is not released.
+  bool IsThere() const { return this->Optimizer != nullptr; }
+
   /// Returns a number that grows with every change of the result.
   std::uint64_t Version() const { return this->Changes; }
 
@@ -117,8 +120,8 @@ private:
   Renderer& Pictures;
   ViewTargets Targets; ///< has the importance of the optimiser's scene
   std::unique_ptr<Progressive> Optimizer;
-  DrawnPart Part;                      ///< of its scene
-  vtkSmartPointer<vtkFloatArray> Base; ///< base extinction of the optimisation
+  DrawnPart Part;                     ///< of its scene
+  std::shared_ptr<const void> Fields; ///< owns what its scene has
   std::uint64_t SceneVersion = 0;
   std::uint64_t SceneTimeVersion = 0; ///< version of the time step of its data
   std::uint64_t DataVersion = 0;      ///< version of the data that the view below is for

@@ -93,7 +93,7 @@ SceneFields ViewTargets::Scene(const VolumeData& data)
   SceneFields scene = data.Scene();
   this->Importance.resize(std::size_t(scene.ValueCount()));
   FillImportance(
-    this->Search->Tried(), data.StructureRows(), scene.ValueCount(), this->Importance.data());
+    this->Search->Tried(), data.SceneRows(), scene.ValueCount(), this->Importance.data());
   scene.importance = scene.despeckled = this->Importance.data();
   return scene;
 }

@@ -131,8 +131,7 @@ ValueUnit VolumeData::ChooseUnit(const FieldSource& source, const FunctionRange&
   double range[2] = { std::nan(""), std::nan("") };
   if (source.array)
   {
-    const bool single = source.array->GetNumberOfComponents() == 1;
-    source.array->GetFiniteRange(range, single ? 0 : source.component);
+    FiniteRange(source.array, source.component, range[0], range[1]);
   }
   if (!this->Ranks->IsAlone())
   {
@@ -223,7 +222,8 @@ void VolumeData::ShareAmong(
 {
   if (ranks != this->Ranks || wholeExtent != this->WholeExtent)
   {
-    this->Release(); // pieces have changed
+    this->Release();
+    this->IsReleased = false; // pieces have changed
     this->Shared.reset();
     this->Part = this->Nodes();
     this->Ranks = std::move(ranks);
@@ -245,6 +245,7 @@ void VolumeData::UpdateScalars(vtkImageData* image, const FieldSource& source,
   {
     return;
   }
+  const bool released = !this->AnyRank(!std::exchange(this->IsReleased, false));
   this->DataChanges += same ? 0 : 1;
   const std::optional<double> before = std::exchange(this->Time, TimeOf(image));
   this->TimeChanges += this->AnyRank(before && this->Time && *before != *this->Time) ? 1 : 0;
@@ -281,7 +282,7 @@ void VolumeData::UpdateScalars(vtkImageData* image, const FieldSource& source,
   this->ScalarsKey = key;
   this->ExtinctionKey = extinctionKey;
   this->Crop = crop;
-  ++this->ScalarChanges;
+  this->ScalarChanges += same && released ? 0 : 1;
 }
 
 void VolumeData::UpdateFunctions(vtkVolumeProperty* property)
@@ -343,50 +344,35 @@ void VolumeData::CorrectImportance(const std::vector<float>& shares)
   TakeShares(shares, this->Arrays.importance);
 }
 
-void VolumeData::UpdateBaseExtinction()
-{
-  if (this->BaseVersion != this->FunctionChanges || !this->Arrays.baseExtinction)
-  {
-    this->Arrays.baseExtinction =
-      NewArray<vtkFloatArray>("BaseExtinction", this->Nodes().NodeCount());
-    LookUpExtinction(this->Tables, this->Exact, this->Unit, this->Scalars(),
-      this->Nodes().NodeCount(), this->Arrays.baseExtinction->GetPointer(0));
-    TakeShares(this->ScalarShares, this->Arrays.baseExtinction);
-    if (!this->Crop.planes.empty())
-    {
-      float* base = this->Arrays.baseExtinction->GetPointer(0);
-      CountNodes(this->Nodes(),
-        [=](vtkIdType node, const Vec3& index)
-        {
-          base[node] = this->Crop.Contains(this->Nodes(), index, 0) ? base[node] : 0.0F;
-          return false;
-        });
-    }
-    this->BaseVersion = this->FunctionChanges;
-  }
-}
-
-void VolumeData::UpdateImportance(
-  vtkImageData* image, const FieldSource& source, vtkMTimeType functionTime)
+void VolumeData::UpdateImportance(vtkImageData* image, const FieldSource& source,
+  vtkMTimeType functionTime, const Settings& settings, bool drawn)
 {
   if (!this->AnyRank(source.array != nullptr))
   {
     const vtkSmartPointer<vtkFloatArray> base = this->Arrays.baseExtinction;
+    this->IsImportant = false;
     this->Arrays = SceneArrays();
     this->LabelledParts = nullptr;
-    if (!this->Crop.planes.empty())
-    {
-      this->Arrays.baseExtinction = base;
-      this->UpdateBaseExtinction();
-    }
+    this->Arrays.baseExtinction = base;
+    this->UpdateScene(false, settings.importanceSmoothing, drawn);
     return;
   }
   const ArrayKey key = KeyOf(image, source, functionTime);
-  const bool current = this->Arrays.importance && key == this->ImportanceKey &&
+  const bool current = this->IsImportant && key == this->ImportanceKey &&
     this->ImportanceScalars == this->ScalarChanges;
   if (this->AnyRank(!current))
   {
+    this->IsImportant = false;
     this->Arrays.importance = nullptr;
+    ++this->ImportanceChanges;
+  }
+  const bool coarser =
+    this->Part.IsWhole() && this->Control.Choose(settings, this->Part, drawn).factor > 1;
+  const bool needed =
+    !coarser || drawn || !this->Control.Are(this->DataSceneVersion(), settings.importanceSmoothing);
+  if (this->AnyRank(needed && !this->Arrays.importance))
+  {
+    this->IsImportant = false; // in case one of the next lines throws
     if (this->Shared)
     {
       this->Shared.emplace(this->Ranks, image, this->WholeExtent);
@@ -394,9 +380,10 @@ void VolumeData::UpdateImportance(
     this->TakeImportance(this->Here(image), source);
     this->ImportanceKey = key;
     this->ImportanceScalars = this->ScalarChanges;
-    ++this->ImportanceChanges;
+    this->IsImportant = true;
+    ++this->ImportanceFields;
   }
-  this->UpdateBaseExtinction();
+  this->UpdateScene(coarser, settings.importanceSmoothing, drawn);
 }
 
 void VolumeData::TakeImportance(vtkImageData* here, const FieldSource& source)
@@ -432,8 +419,14 @@ void VolumeData::UpdateReferences(vtkImageData* image, const std::vector<FieldSo
   {
     keys.push_back(KeyOf(image, source, 0));
   }
-  const bool current = keys == this->ReferenceKeys && this->ReferenceScalars == this->ScalarChanges;
-  if (!this->AnyRank(!current))
+  const bool same = keys == this->ReferenceKeys && this->ReferenceScalars == this->ScalarChanges;
+  const bool changed = this->AnyRank(!same);
+  bool released = false;
+  for (std::size_t i = 0; i < sources.size(); ++i)
+  {
+    released = released || (sources[i].array && !this->Given[i]);
+  }
+  if (!this->AnyRank(changed || released))
   {
     return;
   }
@@ -452,27 +445,7 @@ void VolumeData::UpdateReferences(vtkImageData* image, const std::vector<FieldSo
   }
   this->ReferenceKeys = keys;
   this->ReferenceScalars = this->ScalarChanges;
-  ++this->ReferenceChanges;
-}
-
-SceneFields VolumeData::Scene() const
-{
-  SceneFields scene;
-  scene.grid = this->Whole();
-  scene.piece = this->Part.Piece();
-  scene.baseExtinction = this->Arrays.baseExtinction->GetPointer(0);
-  scene.importance = this->Arrays.importance->GetPointer(0);
-  scene.majorant = this->Majorant;
-  SetReferences(this->Given, scene);
-  scene.despeckled = this->Labelled() ? scene.importance : nullptr; // labels have no noise
-  return scene;
-}
-
-// The sum is unique, since each change increases it.
-std::uint64_t VolumeData::SceneVersion() const
-{
-  return this->ScalarChanges + this->FunctionChanges + this->ImportanceChanges +
-    this->ReferenceChanges;
+  this->ReferenceChanges += changed ? 1 : 0;
 }
 
 std::string VolumeData::Warning() const
@@ -491,11 +464,11 @@ std::string VolumeData::Warning() const
 void VolumeData::Release()
 {
   this->ScalarValues = nullptr;
+  this->IsReleased = true;
   this->ScalarShares = {};
   this->Arrays = SceneArrays();
+  this->Control.Release();
   this->LabelledParts = nullptr;
   this->Given = {};
-  this->ReferenceKeys.clear();
-  this->Tables.extinction.clear();
 }
 }

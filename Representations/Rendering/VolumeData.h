@@ -8,6 +8,7 @@
 #define limpid_VolumeData_h
 
 #include "ArrayExtinction.h"
+#include "ControlFields.h"
 #include "CropRegion.h"
 #include "SceneConversion.h"
 #include "SharedVolume.h"
@@ -45,16 +46,19 @@ public:
   /// Updates the transfer functions for the present scalars. Throws if they are invalid.
   void UpdateFunctions(vtkVolumeProperty* property);
 
-  /// Updates the importance at the points of the image; a null array: there is none.
-  /// `functionTime`: modification time of the source's mapping. If ranks share the image, all give
-  /// the structures of the source, even those without points.
-  void UpdateImportance(vtkImageData* image, const FieldSource& source, vtkMTimeType functionTime);
-
   /// Updates the reference extinctions at the points of the image. `sources`: see
   /// ReferenceSources.
   void UpdateReferences(vtkImageData* image, const std::vector<FieldSource>& sources);
 
-  /// Frees memory.
+  /// Updates the importance at the points of the image and, after everything else, the scene of the
+  /// optimisation on the grid that settings ask for. A null array: there is no importance.
+  /// `functionTime`: modification time of the source's mapping; `drawn`: whether pictures need the
+  /// importance, too. If ranks share the image, all give the structures of the source, even those
+  /// without points.
+  void UpdateImportance(vtkImageData* image, const FieldSource& source, vtkMTimeType functionTime,
+    const Settings& settings, bool drawn);
+
+  /// Frees memory. What is computed again for the same sources keeps its version.
   void Release();
 
   /// Returns the part of the volume that is here; alone, a process has the whole.
@@ -73,9 +77,10 @@ public:
   }
 
   const TransferFunctions& Functions() const { return this->Tables; }
-  bool HasImportance() const { return this->Arrays.importance != nullptr; }
+  bool HasImportance() const { return this->IsImportant; }
 
-  /// Returns the importance at each point [0, 1]. Requires HasImportance().
+  /// Returns the importance at each point [0, 1]. Requires HasImportance(), and that pictures need
+  /// it.
   const float* Importance() const { return this->Arrays.importance->GetPointer(0); }
 
   /// Returns the structures that the importance is that of; null: there are none.
@@ -84,11 +89,27 @@ public:
   /// Returns the row of the structure at each point. Requires Labelled().
   const StructureRow* StructureRows() const { return this->Arrays.structureRows->GetPointer(0); }
 
-  /// Returns the scene of the optimisation. Requires HasImportance().
+  /// Returns the scene of the optimisation: on the control grid, which may be that of the data.
+  /// Requires HasImportance().
   SceneFields Scene() const;
 
-  /// Returns the base extinction, which may outlive this object.
-  vtkSmartPointer<vtkFloatArray> BaseExtinction() const { return this->Arrays.baseExtinction; }
+  /// Returns the part of that grid that is here.
+  const DrawnPart& ScenePart() const
+  {
+    return this->Control.IsThere() ? this->Control.Part() : this->Part;
+  }
+
+  /// Returns the row of the structure at each of its nodes. Requires Labelled().
+  const StructureRow* SceneRows() const
+  {
+    return this->Control.IsThere() ? this->Control.Rows() : this->StructureRows();
+  }
+
+  /// Returns the resolution of that grid.
+  const ControlGrid& SceneResolution() const { return this->Control.Chosen(); }
+
+  /// Returns what owns the scene, which may outlive this object.
+  std::shared_ptr<const void> SceneOwner() const;
 
   /// Returns the extinction that casts shadows, if it is less than that of the scalars because
   /// planes cut between points; else null.
@@ -103,10 +124,11 @@ public:
   /// Returns a number that grows if the scalars change to another time step.
   std::uint64_t TimeVersion() const { return this->TimeChanges; }
 
-  /// Numbers that grow with every change of a part; a change of the scalars also changes the scene.
+  /// Numbers that grow with every change of a part; a change of any also changes the scene. That of
+  /// the importance also grows when the field is made again.
   std::uint64_t ScalarsVersion() const { return this->ScalarChanges; }
   std::uint64_t FunctionsVersion() const { return this->FunctionChanges; }
-  std::uint64_t ImportanceVersion() const { return this->ImportanceChanges; }
+  std::uint64_t ImportanceVersion() const { return this->ImportanceFields; }
   std::uint64_t SceneVersion() const;
 
   /// Returns a warning about values that were not used as they are; may be empty.
@@ -134,7 +156,12 @@ private:
   void TakeExtinction(vtkImageData* image, const FieldSource& source, float* scalars);
   void TakeImportance(vtkImageData* here, const FieldSource& source);
   void CorrectImportance(const std::vector<float>& shares);
+  void UpdateScene(bool coarser, ImportanceSmoothing smoothing, bool drawn);
   void UpdateBaseExtinction();
+  void FillBaseExtinction(const Range<int>& layers, float* base) const;
+  void MakeControlFields(ImportanceSmoothing smoothing);
+  SceneFields DataScene() const;
+  std::uint64_t DataSceneVersion() const;
 
   std::shared_ptr<const Communicator> Ranks = ThisProcess();
   std::array<int, 6> WholeExtent{ { 0, -1, 0, -1, 0, -1 } };
@@ -150,6 +177,7 @@ private:
   double Low = 0;                 ///< smallest value of the data
   double High = 0;                ///< largest value of the data
   vtkSmartPointer<vtkFloatArray> ScalarValues;
+  bool IsReleased = false;         ///< whether the scalars were, and are not there again
   std::vector<float> ScalarShares; ///< see Shares
   ArrayKey ExtinctionKey;
   std::optional<float> ArrayUnit; ///< see ArrayExtinction; none: the functions define the
@@ -175,11 +203,14 @@ private:
   std::uint64_t ReferenceScalars = 0; ///< version of the scalars they were computed for
   std::uint64_t ReferenceChanges = 0;
   ArrayKey ImportanceKey;
-  std::uint64_t ImportanceScalars = 0;             ///< version of the scalars it was computed for
-  SceneArrays Arrays;                              ///< base extinction and importance
+  std::uint64_t ImportanceScalars = 0; ///< version of the scalars it was computed for
+  bool IsImportant = false;
+  SceneArrays Arrays;    ///< base extinction and importance; null where only other grids need them
+  ControlFields Control; ///< there if the optimisation has another grid
   std::shared_ptr<const Structures> LabelledParts; ///< see Labelled
   std::uint64_t BaseVersion = 0; ///< version of the functions the base was computed with
   std::uint64_t ImportanceChanges = 0;
+  std::uint64_t ImportanceFields = 0; ///< how often the importance was taken
 };
 }
 

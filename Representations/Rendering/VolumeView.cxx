@@ -3,6 +3,7 @@
 
 #include "VolumeView.h"
 
+#include "OpenGl.h"
 #include "SharedView.h"
 
 #include "vtkCallbackCommand.h"
@@ -12,6 +13,7 @@
 #include "vtkVolume.h"
 
 #include "backend/Interruption.h"
+#include "render/BrickDistances.h"
 
 #include <algorithm>
 #include <string>
@@ -26,6 +28,13 @@ namespace
 // have left, but never less than the least share. The rest is for displaying the picture.
 constexpr double ShareOfFrame = 0.9;
 constexpr double LeastRayShare = 0.3;
+
+// The longest frame during interaction if a graphics card draws [s]. What the rays leave of a
+// longer one would only go into a finer optimisation.
+constexpr double GraphicsFrameTime = 1.0 / 60;
+
+// The first frame has full resolution [s].
+constexpr double GraphicsRayTime = 5e-9;
 
 // Returns whether a GPU has failed, so that the processor may do the same work.
 bool IsOfGpu(const std::exception& error)
@@ -98,18 +107,34 @@ bool VolumeView::IsIn(vtkWindow* window) const
   return this->Target && this->Target->GetVTKWindow() == window;
 }
 
-void VolumeView::ChoosePictures(BackendKind wish, const Grid& grid)
+FrameSettings VolumeView::InTime(const FrameSettings& frame) const
 {
+  FrameSettings timed = frame;
+  if (!frame.still && this->Backend.IsGraphicsCard())
+  {
+    timed.frameTime = std::min(timed.frameTime, GraphicsFrameTime);
+  }
+  return timed;
+}
+
+void VolumeView::ChoosePictures(const FrameSettings& frame, const Grid& grid)
+{
+  const PictureBackend::Wish wish{ frame.drawOn, frame.solver.backend };
   if (!this->Backend.Suits(wish))
   {
     this->ReleaseNow();
-    this->Caster = Renderer(this->Backend.Choose(wish, grid));
+    this->Caster = Renderer(this->Backend.Choose(wish, grid, WindowOf(this->Target)));
+    if (this->Backend.IsGraphicsCard())
+    {
+      this->Budget.Expect(GraphicsRayTime);
+    }
   }
+  this->Backend.DrawIn(WindowOf(this->Target));
 }
 
 void VolumeView::UpdateRenderer(const FrameSettings& frame, const VolumeData& data)
 {
-  this->ChoosePictures(frame.solver.backend, data.Nodes());
+  this->ChoosePictures(frame, data.Nodes());
   if (this->ScalarsVersion != data.ScalarsVersion())
   {
     this->ScalarsVersion = 0;
@@ -135,8 +160,7 @@ void VolumeView::UpdateRenderer(const FrameSettings& frame, const VolumeData& da
 void VolumeView::UseImportance(
   const FrameSettings& frame, const VolumeData& data, FrameMessages& messages)
 {
-  const bool needed = frame.showMissed || frame.Composing() != Compositing::FrontToBack;
-  const bool used = needed && data.HasImportance();
+  const bool used = frame.DrawsImportance() && data.HasImportance();
   const std::uint64_t version = used ? data.ImportanceVersion() : 0;
   try
   {
@@ -175,14 +199,17 @@ void VolumeView::UseStructures(const FrameSettings& frame, const VolumeData& dat
   this->Caster.TintStructures(used ? frame.structureColors : 0, frame.colorsOfRows);
 }
 
-double VolumeView::PixelSize(const FrameSettings& frame, const ViewGeometry& geometry)
+// See FrameBudget. Processes that share the image have points for its own distance of samples.
+double VolumeView::Coarseness(const FrameSettings& frame, const ViewGeometry& geometry)
 {
+  const double farthest = frame.IsOfSeveral() ? 1 : BrickDistances::size / frame.sampleDistance;
+
   const double pixels = double(geometry.covered[1] - geometry.covered[0]) *
     double(geometry.covered[3] - geometry.covered[2]);
   const double left = std::max(
     ShareOfFrame * frame.frameTime - this->Clock.Seconds(), LeastRayShare * frame.frameTime);
   // All ranks must draw the same pixels.
-  return frame.Largest(this->Budget.PixelSize(pixels, left));
+  return frame.Largest(this->Budget.Coarseness(pixels, left, farthest));
 }
 
 View VolumeView::RaysOf(const FrameSettings& frame, const ViewGeometry& geometry,
@@ -199,11 +226,13 @@ View VolumeView::RaysOf(const FrameSettings& frame, const ViewGeometry& geometry
 }
 
 void VolumeView::PlacePicture(const FrameSettings& frame, const ViewGeometry& geometry,
-  const std::vector<glm::dvec4>& planes, double pixelSize)
+  const std::vector<glm::dvec4>& planes, double coarseness)
 {
   this->Geometry = geometry;
-  this->Frame = FrameOf(geometry, pixelSize);
+  this->Step = FrameBudget::StepOf(coarseness);
+  this->Frame = FrameOf(geometry, FrameBudget::PixelSizeOf(coarseness));
   this->Rays = RaysOf(frame, geometry, planes, this->Frame);
+  this->Rays.sampleDistance *= this->Step;
 }
 
 void VolumeView::Optimize(const FrameSettings& frame, const VolumeData& data,
@@ -272,7 +301,8 @@ std::optional<ViewGeometry> VolumeView::BeginFrame(
   this->Clock.Begin(this->GoesOn);
   if (this->CastSeconds > 0)
   {
-    this->Budget.Record(double(this->Rays.width) * this->Rays.height, this->CastSeconds);
+    const double rays = double(this->Rays.width) * this->Rays.height;
+    this->Budget.Record(rays, this->Step, this->CastSeconds);
   }
   this->CastSeconds = 0;
   this->Geometry.reset();
@@ -314,10 +344,6 @@ void VolumeView::PrepareFrame(const FrameSettings& frame, const VolumeData& data
     this->Optimization.ShowFoundAgain(); // kept pictures do not need what they show
   }
   this->UpdateRenderer(frame, data);
-  if (!this->Backend.Warning().empty())
-  {
-    messages.warnings.push_back(this->Backend.Warning());
-  }
   this->UseImportance(frame, data, messages);
   this->UseStructures(frame, data);
 
@@ -341,7 +367,7 @@ void VolumeView::PrepareFrame(const FrameSettings& frame, const VolumeData& data
       : this->Shadows.MakeInTime(frame, shown ? *shown : data.Whole(), data.Whole());
     this->Caster.Prepare();
     this->PlacePicture(
-      frame, geometry, data.Cropped().planes, fine ? 1 : this->PixelSize(frame, geometry));
+      frame, geometry, data.Cropped().planes, fine ? 1 : this->Coarseness(frame, geometry));
   }
   catch (const Interrupted&)
   {
@@ -356,6 +382,18 @@ void VolumeView::PrepareNow(
   if (const std::optional<ViewGeometry> geometry = this->BeginFrame(frame, data, messages))
   {
     this->PrepareFrame(frame, data, *geometry, messages);
+    this->TellWhatDraws(messages);
+  }
+}
+
+void VolumeView::TellWhatDraws(FrameMessages& messages)
+{
+  this->LastResult.drawnBy = this->Backend.DrawnBy();
+  this->LastResult.uploadedBytes = this->Backend.TakeUploadedBytes();
+  const std::string warning = this->Backend.Warning();
+  if (!warning.empty())
+  {
+    messages.warnings.push_back(warning);
   }
 }
 
@@ -432,6 +470,7 @@ void VolumeView::Release()
   this->ReleaseNow();
 }
 
+// Keeps finished pictures, which take little: what is shown again as it was is shown at once.
 void VolumeView::ReleaseNow()
 {
   this->Optimization.Release();
@@ -447,12 +486,12 @@ void VolumeView::ReleaseNow()
   this->Fine.Clear();
   this->Sharpening.Clear();
   this->Original.Clear();
-  this->Pictures.Clear();
 }
 
 void VolumeView::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Quad.ReleaseGraphicsResources(window);
   this->Peeling.ReleaseGraphicsResources(window);
+  this->Backend.ReleaseGraphicsResources(window);
 }
 }

@@ -37,7 +37,7 @@ class vtkObject;
 namespace limpid
 {
 /// Memory for optimisation and lighting with either solver; measured.
-inline const MemoryNeed drawingNeed{ 56, fewerPoints };
+inline const MemoryNeed drawingNeed{ 78, fewerPoints };
 
 class VolumeView
 {
@@ -58,11 +58,12 @@ public:
 
   /// Draws the volume and returns the results. Problems that still allow a picture are added to the
   /// messages. Throws if nothing can be drawn.
-  FrameResult Draw(const FrameSettings& frame, const VolumeData& data, FrameMessages& messages);
+  FrameResult Draw(const FrameSettings& settings, const VolumeData& data, FrameMessages& messages);
 
   /// Draw in two steps: Prepare computes everything that the rays of the pictures need; DrawPart
   /// draws a segment of them, 0 or 1. It draws nothing if the first step threw or was aborted.
-  FrameResult Prepare(const FrameSettings& frame, const VolumeData& data, FrameMessages& messages);
+  FrameResult Prepare(
+    const FrameSettings& settings, const VolumeData& data, FrameMessages& messages);
   void DrawPart(const RayParts& parts, std::size_t part);
 
   /// Computes a part of the picture without optimisation for the finished view that was shown last,
@@ -113,11 +114,13 @@ private:
   using Action = std::function<void()>;
   void WhileDrawing(const Action& action, const Action& again);
   void WhileDrawing(const Action& action) { this->WhileDrawing(action, action); }
+  FrameSettings InTime(const FrameSettings& frame) const;
   std::optional<ViewGeometry> BeginFrame(
     const FrameSettings& frame, const VolumeData& data, FrameMessages& messages);
   void PrepareFrame(const FrameSettings& frame, const VolumeData& data,
     const ViewGeometry& geometry, FrameMessages& messages);
   void PrepareNow(const FrameSettings& frame, const VolumeData& data, FrameMessages& messages);
+  void TellWhatDraws(FrameMessages& messages);
   void DrawNow(const FrameSettings& frame, const VolumeData& data, FrameMessages& messages);
   PictureSubject SubjectOf(
     const FrameSettings& frame, const VolumeData& data, const ViewGeometry& geometry) const;
@@ -136,18 +139,18 @@ private:
   void EndDrawing();
   void ReleaseNow();
   static void OnEvent(vtkObject* caller, unsigned long event, void* self, void* data);
-  void ChoosePictures(BackendKind wish, const Grid& grid);
+  void ChoosePictures(const FrameSettings& frame, const Grid& grid);
   void UpdateRenderer(const FrameSettings& frame, const VolumeData& data);
   void UseImportance(const FrameSettings& frame, const VolumeData& data, FrameMessages& messages);
   void UseStructures(const FrameSettings& frame, const VolumeData& data);
   void Optimize(const FrameSettings& frame, const VolumeData& data, const ViewGeometry& geometry,
     const std::function<bool()>& isAborted, FrameMessages& messages, FrameResult& result);
   ViewOptimization::Look LastLook() const;
-  double PixelSize(const FrameSettings& frame, const ViewGeometry& geometry);
+  double Coarseness(const FrameSettings& frame, const ViewGeometry& geometry);
   static View RaysOf(const FrameSettings& frame, const ViewGeometry& geometry,
     const std::vector<glm::dvec4>& planes, const PictureFrame& picture);
   void PlacePicture(const FrameSettings& frame, const ViewGeometry& geometry,
-    const std::vector<glm::dvec4>& planes, double pixelSize);
+    const std::vector<glm::dvec4>& planes, double coarseness);
   bool IsAborted(double share);
 
   vtkWeakPointer<vtkRenderer> Target;
@@ -176,6 +179,7 @@ private:
   std::function<void()> PrepareAgain; ///< for segments of the rays
 
   FrameBudget Budget;
+  double Step = 1; ///< of the rays, see FrameBudget
   FrameClock Clock;
   bool GoesOn = false; ///< whether the last frame was one of several before a still one
 

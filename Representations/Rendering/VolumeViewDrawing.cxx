@@ -55,7 +55,7 @@ bool VolumeView::MakePicture(const View& view)
     this->Part = Picture(); // VTK does not show aborted pictures
     return false;
   }
-  this->CastSeconds += FrameClock::SecondsSince(start);
+  this->CastSeconds += this->Backend.HasBegun() ? 0 : FrameClock::SecondsSince(start);
   return true;
 }
 
@@ -89,8 +89,9 @@ void VolumeView::WhileDrawing(const Action& action, const Action& again)
 }
 
 FrameResult VolumeView::Prepare(
-  const FrameSettings& frame, const VolumeData& data, FrameMessages& messages)
+  const FrameSettings& settings, const VolumeData& data, FrameMessages& messages)
 {
+  const FrameSettings frame = this->InTime(settings);
   this->WhileDrawing([&]() { this->PrepareNow(frame, data, messages); });
   this->PrepareAgain = [this, frame, &data]()
   {
@@ -101,8 +102,9 @@ FrameResult VolumeView::Prepare(
 }
 
 FrameResult VolumeView::Draw(
-  const FrameSettings& frame, const VolumeData& data, FrameMessages& messages)
+  const FrameSettings& settings, const VolumeData& data, FrameMessages& messages)
 {
+  const FrameSettings frame = this->InTime(settings);
   this->WhileDrawing([&]() { this->DrawNow(frame, data, messages); });
   return this->LastResult;
 }
@@ -120,7 +122,9 @@ void VolumeView::DrawNow(
   const bool inSteps = frame.still && frame.stepwise && !stereo;
   const bool isKept = inSteps || (frame.still && !frame.stepwise);
   PictureSubject subject = isKept ? this->SubjectOf(frame, data, *geometry) : PictureSubject();
-  if (isKept && this->ShowKept(frame, subject, messages))
+  // What is known of structures is not kept.
+  const bool measures = frame.measure && data.Labelled() && !this->Optimization.IsThere();
+  if (isKept && !measures && this->ShowKept(frame, subject, messages))
   {
     return;
   }
@@ -134,6 +138,7 @@ void VolumeView::DrawNow(
   {
     this->LastResult.converged = false;
   }
+  this->TellWhatDraws(messages);
   if (isKept)
   {
     this->Keep(std::move(subject), messages);
@@ -300,7 +305,7 @@ bool VolumeView::DrawInSlices(const FrameSettings& frame)
   this->LastResult.converged = false;
   this->GoesOn = true;
   const std::vector<glm::dvec4> planes = this->Rays.planes;
-  this->PlacePicture(frame, geometry, planes, this->PixelSize(frame, geometry));
+  this->PlacePicture(frame, geometry, planes, this->Coarseness(frame, geometry));
   return this->DrawWhole(frame);
 }
 
@@ -317,7 +322,7 @@ bool VolumeView::DrawBetween(const std::vector<DepthRange>& ranges)
   {
     return false;
   }
-  this->Image = std::move(this->Part);
+  this->Image = std::exchange(this->Part, Picture());
   const auto differs = [](const DepthRange& range) { return range.nearest < range.farthest; };
   std::transform(ranges.begin(), ranges.end(), depth.begin(),
     [&](const DepthRange& range) { return differs(range) ? ToClip(range.nearest) : noRay; });

@@ -30,8 +30,7 @@ PictureSubject VolumeView::SubjectOf(
   const PictureFrame whole = FrameOf(geometry, 1);
   subject.rays = RaysOf(frame, geometry, data.Cropped().planes, whole);
   subject.depth = this->Opaque->IsEmpty() ? std::vector<float>() : this->Opaque->InMiddles(whole);
-  subject.data = { { data.ScalarsVersion(), data.FunctionsVersion(), data.ImportanceVersion(),
-    data.SceneVersion() } };
+  subject.data = { { data.ScalarsVersion(), data.FunctionsVersion(), data.SceneVersion() } };
   subject.found = frame.optimize ? this->Optimization.Version() : 0;
   return subject;
 }
@@ -50,6 +49,7 @@ bool VolumeView::ShowKept(
   this->Rays = subject.rays;
   this->Image = kept->picture;
   this->LastResult = kept->result;
+  this->LastResult.uploadedBytes = 0;
   this->GoesOn = false;
   this->RestsOptimized = frame.stepwise && frame.optimize;
   messages = kept->messages;
@@ -97,7 +97,7 @@ bool VolumeView::MakeOriginal(const VolumeData& data)
   const PictureSubject& shown = optimized->subject;
   const bool isCurrent = shown.data[0] == this->ScalarsVersion &&
     shown.data[0] == data.ScalarsVersion() && shown.data[1] == data.FunctionsVersion() &&
-    shown.data[2] == data.ImportanceVersion() && shown.found == this->Optimization.Version();
+    shown.data[2] == data.SceneVersion() && shown.found == this->Optimization.Version();
   PictureSubject original = shown.WithoutOptimization();
   if (!isCurrent || this->Pictures.Find(original))
   {

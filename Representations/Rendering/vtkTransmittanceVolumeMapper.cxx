@@ -246,6 +246,21 @@ const char* vtkTransmittanceVolumeMapper::GetBackendName() const
   return this->State->Last.backend.c_str();
 }
 
+const char* vtkTransmittanceVolumeMapper::GetOptimizedAt() const
+{
+  return this->State->Last.optimizedAt.c_str();
+}
+
+const char* vtkTransmittanceVolumeMapper::GetDrawnBy() const
+{
+  return this->State->Last.drawnBy.c_str();
+}
+
+vtkIdType vtkTransmittanceVolumeMapper::GetUploadedBytes() const
+{
+  return static_cast<vtkIdType>(this->State->Last.uploadedBytes);
+}
+
 const char* vtkTransmittanceVolumeMapper::GetMessages() const
 {
   return this->State->Messages.c_str();
@@ -347,6 +362,7 @@ void vtkTransmittanceVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
   print("Optimization", this->Optimization);
   print("PauseOptimization", this->PauseOptimization);
   print("LightSource", this->LightSource);
+  print("DrawOn", this->DrawOn);
   print("Shadows", this->Shadows);
   print("ShadowStrength", this->ShadowStrength);
   print("Ambient", this->Ambient);

@@ -100,6 +100,13 @@ public:
     OWN = 1
   };
 
+  /// For SetDrawOn, beside AUTO and CUDA of Backend.
+  enum DrawingDevices
+  {
+    PROCESSOR = 1,
+    OPENGL = 3
+  };
+
   enum ExtinctionSources
   {
     OPACITY_FUNCTION = 0,
@@ -306,6 +313,17 @@ public:
 
   ///@{
   /**
+   * What computes the pictures. AUTO: CUDA if there is a GPU for it and Backend is not CPU; else
+   * OpenGL if that is hardware; else the processor. LIMPID_DRAW_ON=Processor or OpenGL in the
+   * environment decides for AUTO. Where the choice cannot draw a volume, the
+   * processor does; GetDrawnBy tells. Pictures differ by rounding only. Default is AUTO.
+   */
+  LIMPID_SET_CLAMPED(DrawOn, int, AUTO, OPENGL);
+  vtkGetMacro(DrawOn, int);
+  ///@}
+
+  ///@{
+  /**
    * Whether the samples of each ray are shifted by a fixed pseudo-random amount, which turns rings
    * into noise. Default is off.
    */
@@ -368,7 +386,8 @@ public:
 
   ///@{
   /**
-   * Time limit of a frame during interaction [s]; above zero. Default is 0.1.
+   * Time limit of a frame during interaction [s]; above zero. If a graphics card draws by OpenGL,
+   * it is 1/60 at most. Default is 0.1.
    */
   vtkSetMacro(InteractiveFrameTime, double);
   vtkGetMacro(InteractiveFrameTime, double);
@@ -551,6 +570,25 @@ public:
   const char* GetBackendName() const;
 
   /**
+   * The resolution at which the change of the extinction was found, for instance "half resolution",
+   * or if MemoryLimit asks for it, "half resolution: 8.1 of 10 GB". Empty if it is that of the
+   * data. See ControlResolution.
+   */
+  const char* GetOptimizedAt() const;
+
+  /**
+   * What computed the last picture, for instance "OpenGL, AMD Radeon 680M", and if it is the
+   * processor, why. Empty before the first.
+   */
+  const char* GetDrawnBy() const;
+
+  /**
+   * Bytes of fields, tables and depths that were copied to OpenGL for the last picture; 0 if it did
+   * not draw that.
+   */
+  vtkIdType GetUploadedBytes() const;
+
+  /**
    * The name of Method in panels, for instance "Ament 2017". Empty if there is no such method.
    */
   const char* GetMethodName();
@@ -617,6 +655,7 @@ private:
   double LightIntensity = 1;
 
   double SampleDistance = 1;
+  int DrawOn = AUTO;
   vtkTypeBool Jitter = 0;
   vtkTypeBool ShowMissed = 0;
   double MissedColor[3] = { 1, 0, 1 };

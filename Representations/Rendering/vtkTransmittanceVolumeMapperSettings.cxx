@@ -226,7 +226,8 @@ void vtkTransmittanceVolumeMapper::Internals::UpdateImportance(
     importance = image->GetNumberOfPoints() > 0 ? this->ImportanceOf(image, choice) : Importance();
     if (this->Ranks->IsAlone())
     {
-      this->Data.UpdateImportance(image, importance.source, importance.functionTime);
+      this->Data.UpdateImportance(
+        image, importance.source, importance.functionTime, frame.solver, frame.DrawsImportance());
     }
   }
   catch (const std::exception& error)
@@ -246,7 +247,17 @@ void vtkTransmittanceVolumeMapper::Internals::UpdateImportance(
       importance.source.structures =
         std::make_shared<const limpid::Structures>(limpid::StructuresOf(this->Self->Settings));
     }
-    this->Data.UpdateImportance(image, importance.source, importance.functionTime);
+    this->Data.UpdateImportance(
+      image, importance.source, importance.functionTime, frame.solver, frame.DrawsImportance());
+    const limpid::ControlResolution wanted = frame.solver.controlResolution;
+    if (wanted != limpid::ControlResolution::FinestThatFits &&
+      wanted != limpid::ControlResolution::Full)
+    {
+      this->Warn(
+        "ControlResolution is not Full, and processes share the image (each draws its part "
+        "at the resolution of its own optimisation): it is optimised at full resolution. "
+        "Set ControlResolution to Full or Auto.");
+    }
   }
   if (!importance.warning.empty() && (frame.optimize || frame.showMissed))
   {
@@ -268,7 +279,7 @@ void vtkTransmittanceVolumeMapper::Internals::LeaveImportance(vtkImageData* imag
   {
     this->Error(reason + effects);
   }
-  this->Data.UpdateImportance(image, limpid::FieldSource(), 0);
+  this->Data.UpdateImportance(image, limpid::FieldSource(), 0, frame.solver, false);
   frame.optimize = false;
   frame.showMissed = false;
   frame.structureColors = losesColors ? 0 : frame.structureColors;
@@ -465,6 +476,7 @@ limpid::FrameSettings vtkTransmittanceVolumeMapper::Internals::MakeFrameSettings
   frame.light.light = limpid::ToData(frame.light.light, volume);
   frame.sampleDistance = self->SampleDistance;
   frame.jitter = self->Jitter != 0;
+  frame.drawOn = static_cast<limpid::DrawOn>(self->DrawOn);
   frame.showMissed = self->ShowMissed != 0;
   std::transform(self->MissedColor, self->MissedColor + 3, frame.missedColor.begin(),
     [](double channel) { return static_cast<float>(channel); });

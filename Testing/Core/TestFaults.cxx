@@ -242,7 +242,24 @@ TEST_P(FaultsOneIn, OfTheProgressiveOptimiser)
     10 * GetParam());
 }
 
-INSTANTIATE_TEST_SUITE_P(Quick, FaultsOneIn, ::testing::Values(11));
+TEST_P(FaultsOneIn, OnSeveralThreads)
+{
+  const ThreadLimit limit(3);
+  BoxScene scene = Onion(16);
+  const auto run = [&]
+  {
+    Solver solver = scene.MakeSolver();
+    return Solve(solver);
+  };
+  const Outcome expected = run();
+  for (std::int64_t number = 1; FailIn(number, Fault::AllAllocations, run);
+       number += 8 * GetParam())
+  {
+    ASSERT_EQ(run(), expected) << "after allocation " << number;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Quick, FaultsOneIn, ::testing::Values(23));
 INSTANTIATE_TEST_SUITE_P(Long, FaultsOneIn, ::testing::Values(1));
 
 TEST(Faults, OfTheRenderer)
@@ -449,18 +466,3 @@ TEST(Faults, TellHowMuchOfALoopIsDone)
 }
 
 /// Wherever an allocation fails while several threads work, the next run is right.
-TEST(Faults, OnSeveralThreads)
-{
-  const ThreadLimit limit(3);
-  BoxScene scene = Onion(16);
-  const auto run = [&]
-  {
-    Solver solver = scene.MakeSolver();
-    return Solve(solver);
-  };
-  const Outcome expected = run();
-  for (std::int64_t number = 1; FailIn(number, Fault::AllAllocations, run); number += 23)
-  {
-    ASSERT_EQ(run(), expected) << "after allocation " << number;
-  }
-}

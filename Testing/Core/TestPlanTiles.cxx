@@ -372,7 +372,7 @@ TEST(FilledBlocks, AreThoseWithAnyValue)
 
     const FilledBlocks blocks = made.Blocks();
 
-    EXPECT_EQ(blocks.counts, Int3(3, 2, 2));
+    EXPECT_EQ(blocks.counts, Int3(5, 3, 3));
     EXPECT_TRUE(blocks.Any({ Int3(0), nodes - 1 }));
     EXPECT_TRUE(blocks.Any({ filled, filled }));
     EXPECT_EQ(blocks.Any({ Int3(0), Int3(3) }), filled == Int3(0));

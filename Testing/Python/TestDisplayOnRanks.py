@@ -118,6 +118,31 @@ class TestDisplayOnRanks(unittest.TestCase):
             self.display.StructureArray = ["POINTS", ""]
             self.display.Structures = []
 
+    def test_opengl_draws_the_parts(self):
+        try:
+            for shadows in (0, 1):
+                self.display.Shadows = shadows
+                self.display.DrawOn = "Processor"
+                expected = pictures.take(self.view)
+                self.display.DrawOn = "OpenGL"
+                picture = pictures.take(self.view)
+                self.display.UpdatePropertyInformation()
+                self.assertIn("OpenGL", self.display.DrawnBy)
+                self.assertEqual(self.display.Messages, "")
+                self.assertLessEqual(np.abs(picture - expected).max(), 1)
+        finally:
+            self.display.DrawOn = "Auto"
+            self.display.Shadows = 1
+
+    def test_says_that_it_optimises_at_full_resolution(self):
+        self.display.ControlResolution = "Half"
+        try:
+            np.testing.assert_array_equal(self.drawn(""), self.good)
+            self.assertIn("processes share the image", self.display.Messages)
+            self.assertIn("ControlResolution", self.display.Messages)
+        finally:
+            self.display.ControlResolution = "Auto"
+
     def test_one_may_have_nothing(self):
         picture = self.drawn("empty")
 

@@ -26,7 +26,7 @@ RESULTS = ("Extinction", "Opacity", "BaseExtinction", "Importance", "Transmittan
            "LightTransmittance", "MissedImportance")
 SUMMARY = ("VisibilityScore", "BaseVisibilityScore", "VisibleFraction", "BaseVisibleFraction",
            "SacrificedFraction", "AttainableFraction", "AttainableScore", "AttainableLightScore",
-           "Energy", "Iterations", "Settled", "Seconds", "Backend")
+           "Energy", "ControlFactor", "Iterations", "Settled", "Seconds", "Backend")
 
 
 def optimizer(image, **properties):
@@ -599,7 +599,7 @@ class TestImportanceNotGiven(OptimizerTest):
         return image_of((12, 11, 10), BaseExtinction=np.ones(1320), **arrays)
 
     def found(self, image, scalars=None, **properties):
-        result = optimizer(image, ExtinctionSource=1, **properties)
+        result = optimizer(image, ExtinctionSource=1, MaximumIterations=0, **properties)
         if scalars:
             result.SetInputArrayToProcess(0, 0, 0, POINTS, scalars)
         result.Update()
@@ -717,7 +717,8 @@ class TestDegenerateInput(OptimizerTest):
                 names[1][1] -= {"HighestAttainableFraction", "Proof"}  # where they are known
                 self.assertEqual(*names)
                 for name in SUMMARY[:-1]:
-                    self.assertEqual(number(flat.GetOutput(), name), 1 if name == "Settled" else 0)
+                    self.assertEqual(number(flat.GetOutput(), name),
+                                     1 if name in ("Settled", "ControlFactor") else 0)
                 self.assertEqual(flat.GetConvergence().GetNumberOfRows(), 0)
 
     def test_flat_images_keep_their_extinction_with_a_warning(self):

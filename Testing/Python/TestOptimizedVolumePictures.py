@@ -198,6 +198,11 @@ class TestOptimizedVolumePictures(displays.DisplayTest):
         self.assertIn("UseDepthPeelingForVolumesOn", display.Messages)
         self.assertGreater(picture.std(), 10)
 
+    def assert_same(self, picture, expected):
+        """To the bit; OpenGL may round otherwise in another order of draw calls."""
+        levels = 1 if os.environ.get("LIMPID_DRAW_ON") == "OpenGL" else 0
+        np.testing.assert_allclose(picture, expected, rtol=0, atol=levels)
+
     def test_volumes_are_drawn_from_back_to_front(self):
         first = displays.show_head(self.view, 32)
         second = displays.show_head(self.view, 32)
@@ -214,9 +219,9 @@ class TestOptimizedVolumePictures(displays.DisplayTest):
         # Exchanged, which must not matter: the order in which they were added is another one.
         displays.move(first, [0, 1.5, 0])
         displays.move(second, [0, -1.5, 0])
-        np.testing.assert_array_equal(pictures.take(self.view), from_second)
+        self.assert_same(pictures.take(self.view), from_second)
         displays.look(self.view, [2, -8, 1])
-        np.testing.assert_array_equal(pictures.take(self.view), from_first)
+        self.assert_same(pictures.take(self.view), from_first)
         self.assertEqual(first.Messages, "")
 
     def test_says_that_overlapping_volumes_have_no_right_order(self):

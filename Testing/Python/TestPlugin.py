@@ -51,6 +51,21 @@ class TestPlugin(unittest.TestCase):
         self.assertGreater(fields["VisibilityScore"].GetRange()[0],
                            fields["BaseVisibilityScore"].GetRange()[0])
 
+    def test_writes_the_arrays_that_are_asked_for(self):
+        phantom = OcclusionPhantom(Resolution=16)
+        phantom.UpdatePipeline()
+        given = set(phantom.PointData.keys())
+        optimizer = ExtinctionOptimizer(Input=phantom, MaximumIterations=0)
+        self.assertEqual(len(optimizer.ResultArrays), 8)
+        optimizer.UpdatePipeline()
+        self.assertEqual(set(optimizer.ResultArrays) - set(optimizer.PointData.keys()),
+                         {"LightExtinction"})  # there is one in Separate mode only
+
+        optimizer.ResultArrays = ["Transmittance", "Opacity"]
+        optimizer.UpdatePipeline()
+
+        self.assertEqual(set(optimizer.PointData.keys()) - given, {"Transmittance", "Opacity"})
+
     def test_takes_enumerations_by_their_texts(self):
         optimizer = ExtinctionOptimizer(Input=OcclusionPhantom(Resolution=16, Scene="Shells"))
         optimizer.ExtinctionSource = "Array"

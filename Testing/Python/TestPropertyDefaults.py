@@ -46,8 +46,17 @@ class TestPropertyDefaults(unittest.TestCase):
                 with self.subTest(property=element.get("name")):
                     if element.get("repeat_command"):
                         self.assertEqual(command + "s", "Add" + element.get("name"))
+                        default = element.get("default_values")
+                        entries = (
+                            default.split(element.get("default_values_delimiter")) if default
+                            else [])
                         self.assertEqual(
-                            getattr(instance, "GetNumberOf" + element.get("name"))(), 0)
+                            getattr(instance, "GetNumberOf" + element.get("name"))(), len(entries))
+                        # ParaView begins with as many as are said, whatever is listed.
+                        self.assertEqual(int(element.get("number_of_elements", 0)), len(entries))
+                        if entries:
+                            get = getattr(instance, "Get" + element.get("name")[:-1])
+                            self.assertEqual({get(i) for i in range(len(entries))}, set(entries))
                         compared += 1
                         continue
                     self.assertEqual(command, "Set" + element.get("name"))
@@ -83,6 +92,8 @@ class TestPropertyDefaults(unittest.TestCase):
             "ImportanceSmoothing": {"Off": optimizer.AS_GIVEN, "Median": optimizer.MEDIAN},
             "Derivative": {"Volume": optimizer.VOLUME, "Ray": optimizer.RAY},
             "Backend": {"Auto": optimizer.AUTO, "CPU": optimizer.CPU, "CUDA": optimizer.CUDA},
+            "ControlResolution": {"Auto": optimizer.FINEST_THAT_FITS, "Full": optimizer.FULL,
+                                  "Half": optimizer.HALF, "Quarter": optimizer.QUARTER},
             "Way": {"Round Trip": filters.vtkCameraPath.ROUND_TRIP,
                     "Through Time": filters.vtkCameraPath.THROUGH_TIME},
             "Resampling": {"Majority": filters.vtkAddStructures.MAJORITY,

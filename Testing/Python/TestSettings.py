@@ -12,7 +12,7 @@ import displays
 import runner
 
 simple.LoadPlugin(os.environ["LIMPID_PLUGIN"], remote=False, ns=globals())
-NAMES = ["Backend", "InteractiveFrameTime", "ShowScore", "ScoreInScreenshots"]
+NAMES = ["Backend", "InteractiveFrameTime", "DrawOn", "ShowScore", "ScoreInScreenshots"]
 
 
 class TestSettings(displays.DisplayTest):
@@ -42,12 +42,13 @@ class TestSettings(displays.DisplayTest):
         self.settings.ShowScore = 0
         self.settings.InteractiveFrameTime = 0.5
         self.settings.Backend = "CPU"
+        self.settings.DrawOn = "Processor"
 
         display = self.display()
         filters = [ExtinctionOptimizer(Input=self.source), ViewpointSearch(Input=self.source)]
 
-        self.assertEqual((display.ShowScore, display.InteractiveFrameTime, display.Backend),
-                         (0, 0.5, "CPU"))
+        self.assertEqual((display.ShowScore, display.InteractiveFrameTime, display.Backend,
+                          display.DrawOn), (0, 0.5, "CPU", "Processor"))
         self.assertEqual([each.Backend for each in filters], ["CPU", "CPU"])
         simple.Render(self.view)
         self.assertEqual(display.Messages, "")

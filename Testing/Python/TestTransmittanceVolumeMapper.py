@@ -35,7 +35,7 @@ class TestProperties(MapperTest):
                 AmentLightOccluders=5.0, AmentLightBackground=6.0, AmentSmoothing=2, Backend=1, LightSource=1, LightType=1,
                 LightPosition=(1.0, 2.0, 3.0), Shadows=0, ShadowStrength=0.5, Ambient=0.1,
                 Anisotropy=0.1, Specular=0.2, SpecularPower=3.0, LightIntensity=2.0,
-                SampleDistance=0.5, Jitter=1, ShowMissed=1, MissedColor=(0.1, 0.2, 0.3),
+                SampleDistance=0.5, DrawOn=2, Jitter=1, ShowMissed=1, MissedColor=(0.1, 0.2, 0.3),
                 StructureColors=0.5,
                 InteractiveFrameTime=0.2, EaseTime=0.1,
                 AdaptiveQuality=0, ProgressiveStill=1, DeferStill=1,
@@ -54,8 +54,8 @@ class TestProperties(MapperTest):
     def test_before_the_first_frame_there_is_nothing_to_report(self):
         mapper = Mapper()
         self.assert_sane(None, mapper)
-        self.assertEqual((mapper.GetLightDescription(), mapper.GetBackendName(),
-                          mapper.GetMessages()), ("", "", ""))
+        self.assertEqual((mapper.GetLightDescription(), mapper.GetBackendName(), mapper.GetDrawnBy(),
+                          mapper.GetMessages()), ("", "", "", ""))
         mapper.ReleaseMemory()
         mapper.Reset()
 

@@ -10,9 +10,9 @@ import numpy as np
 from vtkmodules.vtkFiltersSources import vtkCubeSource, vtkSphereSource
 
 from images import flipped, rounded_rotation
-from volume_views import (View, actor_of, colors_of, difference, fixed_point_mapper, gpu_mapper,
-                          gray_property, image_of, opacity_of, phantom, phantom_property,
-                          plain_mapper, property_of, save, values)
+from volume_views import (DRAW_ON, View, actor_of, colors_of, difference, fixed_point_mapper,
+                          gpu_mapper, gray_property, image_of, opacity_of, phantom,
+                          phantom_property, plain_mapper, property_of, save, values)
 
 BAR = 1.5  # mean absolute difference of 8-bit values
 
@@ -366,7 +366,9 @@ class TestFunctionsAndArrays(PictureTest):
                 mapper.SetScalarComponent(chosen)
                 view.add(image, phantom_property(), mapper)
                 view.look()
-            np.testing.assert_array_equal(views[0].picture(), views[1].picture())
+            # OpenGL passes on that norms are rounded differently.
+            np.testing.assert_allclose(views[0].picture(), views[1].picture(), rtol=0,
+                                       atol=1 if DRAW_ON else 0)
 
     def test_cell_arrays_are_averaged_to_the_points(self):
         from vtkmodules.util.numpy_support import numpy_to_vtk

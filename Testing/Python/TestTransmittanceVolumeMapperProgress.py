@@ -190,13 +190,18 @@ class TestKeptTiles(MapperTest):
         np.testing.assert_array_equal(white, capture(over(WHITE)[0]))
         np.testing.assert_array_equal(black, capture(over(BLACK)[0]))
 
-    def test_memory_that_is_given_back_is_computed_again(self):
+    def test_only_finished_pictures_stay_when_memory_is_given_back(self):
         for act in (lambda _, mapper: mapper.ReleaseMemory(),
                     lambda view, _: view.window.Finalize()):
             view, mapper = show()
             expected = view.picture()
             act(view, mapper)
-            np.testing.assert_array_equal(self.assert_casts(mapper, view.picture, True), expected)
+            np.testing.assert_array_equal(self.assert_casts(mapper, view.picture, False), expected)
+            view.camera.Azimuth(10)
+            turned = self.assert_casts(mapper, view.picture, True)
+            other, _ = show()
+            other.camera.Azimuth(10)
+            np.testing.assert_array_equal(turned, other.picture())
 
 
 if __name__ == "__main__":

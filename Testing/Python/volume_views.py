@@ -26,6 +26,16 @@ from images import function_of as opacity_of
 
 BACKGROUND = (0.1, 0.2, 0.3)
 
+# What a picture may show, by the mapper's properties.
+LOOKS = {"base": {"Method": vtkTransmittanceVolumeMapper.ORDINARY, "Shadows": 0},
+         "shaded": {"Method": vtkTransmittanceVolumeMapper.ORDINARY, "Shadows": 1},
+         "optimized": {"Shadows": 0},
+         "shadows": {"Shadows": 1},
+         "missed": {"Shadows": 1, "ShowMissed": 1}}
+
+# What draws where a test does not choose, see vtkTransmittanceVolumeMapper::SetDrawOn.
+DRAW_ON = os.environ.get("LIMPID_DRAW_ON", "")
+
 
 def image_of(shape, spacing=(1, 1, 1), origin=(0, 0, 0), **arrays):
     """The same as images.image_of, with the first array active."""

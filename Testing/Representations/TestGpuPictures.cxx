@@ -80,7 +80,7 @@ void ExpectTheProcessorsPicture(SmallWindow& scene, const Failing& how)
     scene.mapper->ReleaseMemory();
     ASSERT_EQ(Gpu().Bytes(), before) << "something is left after operation " << operation;
   }
-  EXPECT_GT(withWarning, 5);
+  EXPECT_GT(withWarning * how.oneIn, 5); // of all operations, by those that were tried
 }
 }
 
@@ -119,6 +119,6 @@ TEST_P(GpuPictures, AreMadeWhereCudaWasAskedFor)
 
 const auto nameOf = [](const auto& how) { return how.param.forGood ? "ForGood" : "Once"; };
 INSTANTIATE_TEST_SUITE_P(
-  Quick, GpuPictures, ::testing::Values(Failing{ 9, false }, Failing{ 9, true }), nameOf);
+  Quick, GpuPictures, ::testing::Values(Failing{ 23, false }, Failing{ 23, true }), nameOf);
 INSTANTIATE_TEST_SUITE_P(
   Long, GpuPictures, ::testing::Values(Failing{ 1, false }, Failing{ 1, true }), nameOf);

@@ -6,14 +6,16 @@
 #ifndef limpid_testing_ThreadRanks_h
 #define limpid_testing_ThreadRanks_h
 
+#include "backend/Backend.h"
 #include "backend/Interruption.h"
 #include "distributed/Communicator.h"
 
+#include <algorithm>
+#include <atomic>
 #include <condition_variable>
 #include <cstring>
 #include <deque>
 #include <exception>
-#include <map>
 #include <memory>
 #include <mutex>
 #include <string>
@@ -29,6 +31,7 @@ class ThreadRanks
 public:
   explicit ThreadRanks(int size)
     : Size(size)
+    , Ways(std::size_t(size * size))
   {
   }
 
@@ -37,6 +40,7 @@ public:
   static void Run(int size, const Work& work)
   {
     const auto all = std::make_shared<ThreadRanks>(size);
+    const ThreadLimit threadsOfRank(std::max(ThreadCount() / size, 1)); // as launchers bind ranks
     std::vector<std::exception_ptr> failures(static_cast<std::size_t>(size));
     std::vector<std::thread> threads;
     threads.reserve(failures.size());
@@ -87,11 +91,13 @@ private:
       for (const Message& message : sent)
       {
         const char* bytes = static_cast<const char*>(message.data);
-        this->All->Post({ this->Number, message.rank }, { bytes, bytes + message.bytes });
+        this->All->Post(
+          this->All->From(this->Number, message.rank), { bytes, bytes + message.bytes });
       }
       for (const Message& message : received)
       {
-        const std::vector<char> bytes = this->All->Take({ message.rank, this->Number });
+        const std::vector<char> bytes =
+          this->All->Take(this->All->From(message.rank, this->Number));
         LIMPID_REQUIRE(bytes.size() == message.bytes,
           "A message has " << bytes.size() << " bytes and not " << message.bytes << '.');
         std::memcpy(message.data, bytes.data(), bytes.size());
@@ -108,52 +114,64 @@ private:
     int Number;
   };
 
-  using Way = std::pair<int, int>; ///< from, to
-
-  void Post(const Way& way, std::vector<char>&& bytes)
+  /// The messages on the way from one rank to another.
+  struct Way
   {
-    const std::lock_guard<std::mutex> lock(this->Access);
-    this->Mail[way].push_back(std::move(bytes));
-    this->Arrived.notify_all();
+    std::mutex access;
+    std::condition_variable arrived;
+    std::deque<std::vector<char>> messages;
+  };
+
+  Way& From(int rank, int to) { return this->Ways[std::size_t(rank * this->Size + to)]; }
+
+  void Post(Way& way, std::vector<char>&& bytes)
+  {
+    const std::lock_guard<std::mutex> lock(way.access);
+    way.messages.push_back(std::move(bytes));
+    way.arrived.notify_one();
   }
 
-  std::vector<char> Take(const Way& way)
+  std::vector<char> Take(Way& way)
   {
-    std::unique_lock<std::mutex> lock(this->Access);
-    std::deque<std::vector<char>>& box = this->Mail[way];
-    this->Arrived.wait(lock, [&] { return !box.empty() || this->Ended; });
-    if (box.empty() && this->WasInterrupted)
+    std::unique_lock<std::mutex> lock(way.access);
+    way.arrived.wait(lock, [&] { return !way.messages.empty() || this->Ended; });
+    if (way.messages.empty() && this->WasInterrupted)
     {
       throw Interrupted();
     }
-    if (box.empty())
+    if (way.messages.empty())
     {
       throw JointError(this->Why);
     }
-    std::vector<char> bytes = std::move(box.front());
-    box.pop_front();
+    std::vector<char> bytes = std::move(way.messages.front());
+    way.messages.pop_front();
     return bytes;
   }
 
   void End(const std::string& why, bool interrupted)
   {
-    const std::lock_guard<std::mutex> lock(this->Access);
-    if (!this->Ended)
     {
-      this->WasInterrupted = interrupted;
-      this->Why = why;
+      const std::lock_guard<std::mutex> lock(this->Access);
+      if (!this->Ended)
+      {
+        this->WasInterrupted = interrupted;
+        this->Why = why;
+      }
+      this->Ended = true;
     }
-    this->Ended = true;
-    this->Arrived.notify_all();
+    for (Way& way : this->Ways)
+    {
+      const std::lock_guard<std::mutex> lock(way.access); // no rank is about to wait
+      way.arrived.notify_all();
+    }
   }
 
   int Size;
-  bool Ended = false;
-  bool WasInterrupted = false;
-  std::string Why;
-  std::mutex Access;
-  std::condition_variable Arrived;
-  std::map<Way, std::deque<std::vector<char>>> Mail;
+  std::vector<Way> Ways;
+  std::mutex Access; ///< to the following
+  std::atomic<bool> Ended{ false };
+  bool WasInterrupted = false; ///< set before Ended
+  std::string Why;             ///< set before Ended
 };
 }
 

@@ -124,6 +124,18 @@ std::vector<NodeBox> Parted(const std::vector<NodeBox>& boxes)
   }
   return parts;
 }
+
+/// Returns the first node of another axis over the same length that is not before a node of this
+/// one, which has `from` nodes; the end for the end.
+int FirstFrom(int node, int from, int to)
+{
+  if (node >= from || from < 2)
+  {
+    return node >= from ? to : 0;
+  }
+  const Index cells = from - 1;
+  return static_cast<int>((Index(node) * (to - 1) + cells - 1) / cells);
+}
 }
 
 std::shared_ptr<const ScenePiece> ScenePiece::Whole(const Grid& grid)
@@ -171,6 +183,19 @@ std::shared_ptr<const ScenePiece> Grown(const ScenePiece& piece, const Grid& gri
   }
   grown->nodes = grown->boxes[std::size_t(piece.ranks->Rank())];
   return grown;
+}
+
+std::shared_ptr<const ScenePiece> PieceOn(const ScenePiece& piece, const Grid& from, const Grid& to)
+{
+  NodeBox own = piece.Owned();
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    Range<int>& along = own.along[axis];
+    const int nodes = from.nodes[int(axis)];
+    along = { FirstFrom(along.begin, nodes, to.nodes[int(axis)]),
+      FirstFrom(along.end, nodes, to.nodes[int(axis)]) };
+  }
+  return std::make_shared<const ScenePiece>(piece.ranks, to, own);
 }
 
 Grid GridOf(const NodeBox& box, const Grid& whole)

@@ -49,6 +49,9 @@ struct ScenePiece
   /// The nodes that this rank owns.
   const NodeBox& Owned() const { return this->owned[std::size_t(this->ranks->Rank())]; }
 
+  /// Returns the maximum over all ranks of a non-negative number. Collective.
+  float LargestOf(float here) const { return this->ranks->LargestOf(here); }
+
   /// Whether this process works alone and has all nodes of the grid.
   bool IsWhole() const { return this->ranks->IsAlone() && this->nodes == this->all; }
 
@@ -68,6 +71,11 @@ inline std::shared_ptr<const ScenePiece> OrWhole(
 /// Returns pieces of the owned nodes plus this number of ghost nodes on every side, clipped to the
 /// grid. A rank that owns nothing gets two nodes along each axis for its own use.
 std::shared_ptr<const ScenePiece> Grown(const ScenePiece& piece, const Grid& grid, int nodes);
+
+/// Returns the decomposition of another grid over the same box: every rank has the nodes that lie
+/// in what it owns of `piece`. Collective.
+std::shared_ptr<const ScenePiece> PieceOn(
+  const ScenePiece& piece, const Grid& from, const Grid& to);
 
 /// Return the grid of a box of nodes, and of this rank's box.
 Grid GridOf(const NodeBox& box, const Grid& whole);

@@ -8,9 +8,10 @@
 
 namespace limpid
 {
-/// A range from begin to end: half-open for integers, and empty unless begin < end.
+/// A range from begin to end: half-open for integers, and empty unless begin < end. A GPU reads
+/// both at once.
 template <class Value>
-struct Range
+struct alignas(2 * sizeof(Value)) Range
 {
   Value begin = 0;
   Value end = 0;

@@ -73,6 +73,7 @@ double CarriedChange::NearnessTo(
   Settings same = otherSettings;
   same.otherCameras = this->settings.otherCameras;
   same.backend = this->settings.backend; // any backend gives an equivalent result
+  same.memoryLimit = this->settings.memoryLimit;
   const std::vector<Camera>& one = this->settings.otherCameras;
   const std::vector<Camera>& other = otherSettings.otherCameras;
   if (!(same == this->settings) || one.size() != other.size())

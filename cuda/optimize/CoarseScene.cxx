@@ -12,13 +12,15 @@ namespace limpid
 {
 namespace
 {
-/// `most`: upper bound of the values.
-std::vector<float> Restricted(
-  const PreparedScene& scene, const float* field, float most, const Grid& grid)
+/// `most`: upper bound of the values; `piece`: see CoarseScene.
+std::vector<float> Restricted(const PreparedScene& scene, const float* field, float most,
+  const Grid& grid, const ScenePiece* piece)
 {
-  std::vector<float> coarse = ResampledForAll(scene.Piece(), scene.Nodes(), field, grid);
+  std::vector<float> coarse = piece
+    ? ResampledIn(scene.Piece(), scene.Nodes(), field, grid, piece->boxes)
+    : ResampledForAll(scene.Piece(), scene.Nodes(), field, grid);
   // Rounding may make a mean exceed the bound.
-  ParallelFor(grid.NodeCount(), 65536,
+  ParallelFor(static_cast<Index>(coarse.size()), 65536,
     [&coarse, most](Index node)
     {
       float& value = coarse[std::size_t(node)];
@@ -49,8 +51,8 @@ std::vector<Grid> GridsForPreviews(const PreparedScene& scene)
   return grids;
 }
 
-CoarseScene::CoarseScene(
-  const std::shared_ptr<PreparedScene>& fine, ImportanceSmoothing smoothing, const Grid& grid)
+CoarseScene::CoarseScene(const std::shared_ptr<PreparedScene>& fine, ImportanceSmoothing smoothing,
+  const Grid& grid, std::shared_ptr<const ScenePiece> piece)
 {
   if (fine->Piece().IsWhole() && grid.nodes == fine->Nodes().nodes)
   {
@@ -59,7 +61,8 @@ CoarseScene::CoarseScene(
   }
   SceneFields fields = fine->Arrays();
   fields.grid = grid;
-  fields.piece = nullptr;
+  fields.piece = piece;
+  fields.majorant = fine->Majorant();
   fields.despeckled =
     smoothing == ImportanceSmoothing::Median ? fine->ImportanceFor(smoothing) : nullptr;
   fields.ForEachField(
@@ -67,11 +70,17 @@ CoarseScene::CoarseScene(
     {
       if (fine->Piece().ranks->AnyOf(field != nullptr)) // an empty subdomain has none
       {
-        this->Values.push_back(Restricted(*fine, field, most, grid));
+        this->Values.push_back(Restricted(*fine, field, most, grid, piece.get()));
         field = this->Values.back().data();
       }
     });
   this->Scene = std::make_shared<PreparedScene>(fields);
+}
+
+std::vector<float> CoarseScene::Resampled(const PreparedScene& fine, const float* field) const
+{
+  return ResampledIn(
+    fine.Piece(), fine.Nodes(), field, this->Scene->Nodes(), this->Scene->Piece().boxes);
 }
 
 bool CoarseScene::Supports(ImportanceSmoothing smoothing) const

@@ -243,7 +243,6 @@ private:
     {
       return;
     }
-    rays.SampleExtinction(this->next);
     if (s < rays.Plan().firstNodeSlice)
     {
       rays.SampleRearImportance(this->importance);
@@ -253,6 +252,7 @@ private:
       rays.RecallRearImportance(); // LookAhead has sampled it
     }
     rays.SampleFrontImportance(this->importance);
+    rays.SampleExtinction(this->next); // beside SampleKept, which reads the same values
     if (this->alternative)
     {
       rays.SampleAlternative(this->alternative);

@@ -6,6 +6,9 @@
 #include "backend/Backend.h"
 #include "scene/FieldView.h"
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstddef>
 
 namespace limpid
@@ -38,6 +41,38 @@ void FillImportance(
   ParallelFor(count, 65536,
     [&](Index node)
     { importance[node] = static_cast<float>(structures.ImportanceOf(rows[node])); });
+}
+
+std::vector<StructureRow> RowsOn(const ScenePiece& piece, const Grid& from,
+  const StructureRow* rows, const ScenePiece& wanted, const Grid& to)
+{
+  const NodeBox& here = piece.nodes;
+  const Int3 size = here.Size();
+  std::array<std::vector<Index>, 3> nearest; // from the first node here, for each node there
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    const Range<int>& along = here.along[axis];
+    const double ratio = double(from.nodes[int(axis)] - 1) / std::max(to.nodes[int(axis)] - 1, 1);
+    for (int node = wanted.nodes.along[axis].begin; node < wanted.nodes.along[axis].end; ++node)
+    {
+      const int closest = static_cast<int>(std::lround(node * ratio));
+      nearest[axis].push_back(std::clamp(closest, along.begin, along.end - 1) - along.begin);
+    }
+  }
+  const Int3 nodes = wanted.nodes.Size();
+  std::vector<StructureRow> found(std::size_t(wanted.nodes.Count()));
+  ParallelFor(found.empty() ? 0 : nodes.z,
+    [&](Index k)
+    {
+      StructureRow* out = found.data() + k * nodes.y * nodes.x;
+      for (const Index row : nearest[1])
+      {
+        const StructureRow* line = rows + (nearest[2][std::size_t(k)] * size.y + row) * size.x;
+        out = std::transform(
+          nearest[0].begin(), nearest[0].end(), out, [line](Index column) { return line[column]; });
+      }
+    });
+  return found;
 }
 
 std::vector<StructureShares> SharesOfStructures(PreparedScene& scene, const Camera& camera,

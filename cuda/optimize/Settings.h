@@ -38,6 +38,15 @@ struct Weights
   double light = 1;             ///< r of Eq. (24)
 };
 
+/// Resolution of the grid on which the change of the extinction is found, see ControlGrid.
+enum class ControlResolution
+{
+  FinestThatFits, ///< into Settings::memoryLimit
+  Full,
+  Half,
+  Quarter
+};
+
 /// Filter applied to the importance for the optimisation. Scores always use the importance as
 /// given.
 enum class ImportanceSmoothing
@@ -116,6 +125,10 @@ struct Settings
   std::vector<Camera> otherCameras;
 
   BackendKind backend = BackendKind::Auto;
+
+  // Used by owners of solvers, see ControlGrid; a solver itself has the grid that it is given.
+  ControlResolution controlResolution = ControlResolution::FinestThatFits;
+  double memoryLimit = 0; ///< of a process, beside the data [10^6 bytes]; 0: see AvailableMemory
 
   /// Throws limpid::Error if a value is invalid.
   void Require() const;

@@ -34,17 +34,21 @@ Solver::~Solver() = default;
 Solver::Solver(Solver&&) noexcept = default;
 Solver& Solver::operator=(Solver&&) noexcept = default;
 
-void Solver::SetInitialExtinction(const float* extinction)
+void Solver::SetInitialExtinction(const float* extinction, const float* light)
 {
   Internals& state = *this->State;
   LIMPID_REQUIRE(state.Minimizes(),
     "An initial extinction was given to "
       << InfoOf(state.settings.method).name
       << " (this method does not iterate). Use the method Optimized.");
-  LIMPID_REQUIRE(state.settings.mode == Mode::Joint,
+  LIMPID_REQUIRE(light || state.settings.mode == Mode::Joint,
     "An initial extinction was given in separate mode (this mode optimises two extinctions). Use "
     "the joint mode.");
   state.initial.emplace(extinction, extinction + state.scene.ValueCount());
+  if (light)
+  {
+    state.initialLight.emplace(light, light + state.scene.ValueCount());
+  }
   state.warm = true;
   state.OnBackend([&state] { state.Begin(); });
 }

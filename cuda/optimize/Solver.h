@@ -46,8 +46,8 @@ public:
   Solver& operator=(Solver&&) noexcept;
 
   /// Starts from this extinction instead of the base extinction: grid.NodeCount() values, clamped
-  /// to their bounds [1/length]. Joint mode only.
-  void SetInitialExtinction(const float* extinction);
+  /// to their bounds [1/length]. `light`: that for the light, which separate mode needs.
+  void SetInitialExtinction(const float* extinction, const float* light = nullptr);
 
   /// Runs up to `iterations` more iterations. Returns whether nothing is left to do: converged,
   /// out of iterations or time, or stopped by `progress`. After an exception the solver must not

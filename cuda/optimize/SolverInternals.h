@@ -31,6 +31,7 @@ struct Solver::Internals
   Light light;
   Settings settings;
   StartingExtinction initial;
+  StartingExtinction initialLight;       ///< of the light's own run
   std::vector<PullWithReferences> pulls; ///< beside the regularisation
 
   /// The current run of a minimiser: the joint field, or in separate mode first the camera's
@@ -180,7 +181,7 @@ struct Solver::Internals
 
   StartingExtinction FirstIterate() const
   {
-    StartingExtinction start = this->initial;
+    StartingExtinction start = this->lightRun ? this->initialLight : this->initial;
     if (start)
     {
       this->problem.TakeIntoBounds(*start);

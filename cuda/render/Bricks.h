@@ -9,8 +9,10 @@
 #include "scene/IndexBox.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
+#include <vector>
 
 namespace limpid
 {
@@ -30,26 +32,33 @@ struct BrickNodes
     return { low, glm::min(low + BrickDistances::size, nodes - 1) };
   }
 
-  /// Returns the nodes of an overlay from which these cells may be interpolated.
-  LIMPID_HD LIMPID_INLINE BrickNodes On(const OverlayGeometry& overlay) const
-  {
-    BrickNodes box{};
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      const double scale = overlay.scale[axis];
-      const int shift = overlay.first[axis];
-      box.first[axis] = int(std::floor((this->first[axis] + shift) * scale - 1e-6));
-      box.last[axis] = int(std::ceil((this->last[axis] + shift) * scale + 1e-6));
-    }
-    return { glm::clamp(box.first, Int3(0), overlay.nodes - 1),
-      glm::clamp(box.last, Int3(0), overlay.nodes - 1) };
-  }
-
   /// Returns whether is(node) holds for any node of the box in a grid of `nodes`.
   template <class Is>
   LIMPID_HD LIMPID_INLINE bool Any(const Int3& nodes, const Is& is) const
   {
     return IndexBox{ this->first, this->last }.Any(nodes, is);
+  }
+};
+
+/// Nodes along an axis.
+struct NodeSpan
+{
+  int first;
+  int last; ///< included
+};
+
+/// The nodes of an overlay from which the cells of bricks may be interpolated, along each axis.
+struct OverlaySpans
+{
+  Int3 nodes{ 0 };               ///< of the overlay
+  const NodeSpan* along[3] = {}; ///< one per brick
+
+  LIMPID_HD LIMPID_INLINE IndexBox Of(int i, int j, int k) const
+  {
+    const NodeSpan& x = this->along[0][i];
+    const NodeSpan& y = this->along[1][j];
+    const NodeSpan& z = this->along[2][k];
+    return { { x.first, y.first, z.first }, { x.last, y.last, z.last } };
   }
 };
 
@@ -105,12 +114,11 @@ enum class Function
 /// Writes 0 for a brick that may have extinction, else the largest distance.
 struct EmptyBrick
 {
-  Int3 nodes;
   OpticalTable table;
   const ScalarRange* ranges;
   const std::uint8_t* unfilled; ///< not 0 where no node is filled; null: only scalars decide
   const TwoPacked* overlay;     ///< see ExtinctionOverlay; null: unchanged
-  OverlayGeometry overlayPlace;
+  OverlaySpans spans;
   Cleared cleared;
   std::uint8_t* distance; ///< out
 
@@ -123,8 +131,7 @@ struct EmptyBrick
     bool filled = classified;
     if (this->overlay)
     {
-      const BrickNodes box = BrickNodes::Of({ i, j, k }, this->nodes).On(this->overlayPlace);
-      filled = box.Any(this->overlayPlace.nodes,
+      filled = this->spans.Of(i, j, k).Any(this->spans.nodes,
         [&](Index node)
         {
           const std::int16_t* change = this->overlay[node].values;
@@ -275,12 +282,45 @@ private:
   {
     const std::uint8_t* unfilled =
       function == Function::IsUniform ? this->Unfilled.Data() : nullptr;
+    const OverlaySpans spans = overlay ? this->SpansOn(overlayPlace) : OverlaySpans();
     this->Spread(distances,
-      [&](std::uint8_t* out)
-      {
-        return EmptyBrick{ this->Nodes, table, this->Ranges.Data(), unfilled, overlay, overlayPlace,
-          cleared, out };
+      [&](std::uint8_t* out) {
+        return EmptyBrick{ table, this->Ranges.Data(), unfilled, overlay, spans, cleared, out };
       });
+  }
+
+  OverlaySpans SpansOn(const OverlayGeometry& place)
+  {
+    OverlaySpans spans;
+    spans.nodes = place.nodes;
+    const bool isKnown = this->SpansAreOf == place && this->SpansAreFor == this->Nodes;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      DeviceArray<AnyDevice, NodeSpan>& along = this->Spans[std::size_t(axis)];
+      if (!isKnown)
+      {
+        along = { this->Device, this->SpansAlong(axis, place), "the bricks" };
+      }
+      spans.along[axis] = along.Data();
+    }
+    this->SpansAreOf = place;
+    this->SpansAreFor = this->Nodes;
+    return spans;
+  }
+
+  std::vector<NodeSpan> SpansAlong(int axis, const OverlayGeometry& place) const
+  {
+    std::vector<NodeSpan> spans;
+    const int last = place.nodes[axis] - 1;
+    for (int brick = 0; brick < this->Count[axis]; ++brick)
+    {
+      const BrickNodes cells = BrickNodes::Of(Int3(brick), this->Nodes);
+      const auto on = [&](int node) { return (node + place.first[axis]) * place.scale[axis]; };
+      const int from = int(std::floor(on(cells.first[axis]) - 1e-6));
+      const int to = int(std::ceil(on(cells.last[axis]) + 1e-6));
+      spans.push_back({ glm::clamp(from, 0, last), glm::clamp(to, 0, last) });
+    }
+    return spans;
   }
 
   /// Computes distances from flags of empty bricks. `emptyInto(out)`: creates the body that writes
@@ -311,6 +351,9 @@ private:
   Int3 Nodes{ 0 };
   Int3 Count{ 0 };
   DeviceArray<AnyDevice, ScalarRange> Ranges;
+  std::array<DeviceArray<AnyDevice, NodeSpan>, 3> Spans; ///< see OverlaySpans
+  OverlayGeometry SpansAreOf;
+  Int3 SpansAreFor{ 0 };  ///< nodes of the scalars
   DistanceArray Unfilled; ///< empty: all nodes are filled
   DeviceArray<AnyDevice, std::uint8_t> Distance;
   DeviceArray<AnyDevice, std::uint8_t> BareDistance;        ///< empty: not requested

@@ -32,17 +32,21 @@ struct ClassifiedNode
 /// Computes the gradient of a field at a node by central differences, in world directions.
 struct GradientNode
 {
-  const float* field;
+  const float* field; ///< some layers of nodes
+  int firstLayer;     ///< of the field
   Int3 nodes;
   Mat3 toWorld;
   Vec3 spacing;
 
-  LIMPID_HD LIMPID_INLINE void At(Index node, int i, int j, int k, float* gradient) const
+  /// The field must have this layer and those next to it.
+  LIMPID_HD LIMPID_INLINE void At(int i, int j, int k, float* gradient) const
   {
     const Index row = this->nodes.x;
+    const Index layer = row * this->nodes.y;
+    const Index node = i + j * row + (k - this->firstLayer) * layer;
     const Vec3 steps(this->Difference(node, i, this->nodes.x, 1),
       this->Difference(node, j, this->nodes.y, row),
-      this->Difference(node, k, this->nodes.z, row * this->nodes.y));
+      this->Difference(node, k, this->nodes.z, layer));
     const Vec3 world = this->toWorld * (steps / this->spacing);
     gradient[0] = float(world.x);
     gradient[1] = float(world.y);
@@ -69,11 +73,9 @@ struct SteepnessNode
 
   LIMPID_HD void operator()(Index out, int i, int j, int k) const
   {
-    const Int3& nodes = this->gradient.nodes;
     const Int3 at = this->first + Int3(i, j, k);
-    const Index node = at.x + nodes.x * (at.y + Index(nodes.y) * at.z);
     float here[3];
-    this->gradient.At(node, at.x, at.y, at.z, here);
+    this->gradient.At(at.x, at.y, at.z, here);
     this->squared[out] = here[0] * here[0] + here[1] * here[1] + here[2] * here[2];
   }
 };
@@ -97,19 +99,20 @@ struct LargestOfRun
 };
 
 /// Packs a gradient, divided by the largest length, in world directions, and the light that
-/// arrives, which is 1 until ShadowedGradientNode sets it.
+/// arrives, which is 1 until ShadowedGradientNode sets it. For the nodes of some layers.
 struct PackedGradientNode
 {
   GradientNode gradient;
+  int firstLayer;
   const float* largest; ///< square of the largest length
-  FourPacked* packed;   ///< out
+  FourPacked* packed;   ///< out, of the layers
 
   LIMPID_HD void operator()(Index node, int i, int j, int k) const
   {
     const float most = std::sqrt(*this->largest);
     const float unit = most > 0 ? packedOne / most : 0.0f;
     float here[3];
-    this->gradient.At(node, i, j, k, here);
+    this->gradient.At(i, j, this->firstLayer + k, here);
     std::int16_t* out = this->packed[node].values;
     for (int axis = 0; axis < 3; ++axis)
     {

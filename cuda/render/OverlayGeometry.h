@@ -18,6 +18,11 @@ struct OverlayGeometry
   Int3 first{ 0 }; ///< the first scalar, counted from the first node of the overlay [scalars]
   Vec3 scale{ 1 }; ///< nodes of the overlay per node of the scalars
 
+  bool operator==(const OverlayGeometry& other) const
+  {
+    return this->nodes == other.nodes && this->first == other.first && this->scale == other.scale;
+  }
+
   /// `overlay`: has the nodes of the scalars, or all nodes of another grid over the whole.
   static OverlayGeometry Of(const DrawnPart& overlay, const DrawnPart& scalars)
   {

@@ -4,6 +4,7 @@
 #include "render/Ray.h"
 
 #include "math/Require.h"
+#include "scene/GridMatrix.h"
 
 #include <cmath>
 
@@ -47,13 +48,7 @@ RayMaker::RayMaker(const Grid& grid, double stepLength, const View& view)
   , Height(view.height)
   , Jitter(view.jitter)
 {
-  glm::dmat4 worldToIndex(1.0);
-  const Mat3 turn = glm::transpose(grid.direction);
-  for (int column = 0; column < 3; ++column)
-  {
-    worldToIndex[column] = glm::dvec4(turn[column] / grid.spacing, 0.0);
-  }
-  worldToIndex[3] = glm::dvec4(grid.PointToIndex(Vec3(0.0)), 1.0);
+  const glm::dmat4 worldToIndex = WorldToIndex(grid);
   this->ClipToIndex = worldToIndex * view.clipToWorld;
   const glm::dmat4 indexToWorld = glm::inverse(worldToIndex);
   for (const glm::dvec4& plane : view.planes)

@@ -25,6 +25,7 @@ struct PictureRays
   const float* nearDepth;        ///< clip z at which the rays begin; null: -1
   const float* depth;            ///< clip z at which they end; null: 1
   Rgba* picture;                 ///< out
+  Range<int> drawn;              ///< rows with rays
   const RayPart* part = nullptr; ///< the part that is drawn here, on the host; null: the whole rays
   PartialPixel* parts = nullptr; ///< out, instead of the picture, if only a part is drawn here
 
@@ -71,6 +72,10 @@ struct PictureRays
   /// Computes the ray of a pixel; false: it meets nothing.
   LIMPID_HD LIMPID_INLINE bool Make(int column, int row, Ray& ray) const
   {
+    if (!this->drawn.Contains(row))
+    {
+      return false;
+    }
     const Index pixel = this->At(column, row);
     const double start = this->nearDepth ? double(this->nearDepth[pixel]) : -1.0;
     const double end = this->depth ? double(this->depth[pixel]) : 1.0;

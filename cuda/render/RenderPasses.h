@@ -125,7 +125,9 @@ public:
 
   void UseTransferFunction(const DrawnPart& part) override
   {
-    Field base = this->Classified(this->Functions.Majorant());
+    const Grid& grid = this->Part.Nodes();
+    Field base(this->Device, std::size_t(grid.NodeCount()), extinctionText);
+    this->Classify({ 0, grid.nodes.z }, this->Functions.Majorant(), base.Data());
     if (!part.HasSameNodes(this->Part))
     {
       base = this->OnCoarser(part.Nodes(), this->Part, base.Data());
@@ -161,13 +163,17 @@ public:
   void FindGradient() override
   {
     const Grid& grid = this->Part.Nodes();
-    const char* what = "gradients";
-    const Field extinction = this->Classified(1);
-    const GradientNode gradient{ extinction.Data(), grid.nodes, grid.direction, grid.spacing };
-    const Field largest = this->LargestSteepness(gradient);
-    FourPacked* packed = this->Gradient.RoomFor(this->Device, std::size_t(grid.NodeCount()), what);
-    this->Device->ForNodes(
-      "gradient", grid.nodes, PackedGradientNode{ gradient, largest.Data(), packed });
+    const Index perLayer = Index(grid.nodes.x) * grid.nodes.y;
+    const Field largest = this->LargestSteepness();
+    FourPacked* packed =
+      this->Gradient.RoomFor(this->Device, std::size_t(grid.NodeCount()), "gradients");
+    this->ForSlabs({ 0, grid.nodes.z },
+      [&](const Range<int>& layers, const GradientNode& gradient)
+      {
+        this->Device->ForNodes("gradient", { grid.nodes.x, grid.nodes.y, layers.Length() },
+          PackedGradientNode{
+            gradient, layers.begin, largest.Data(), packed + layers.begin * perLayer });
+      });
     this->GradientHasShadow = false;
   }
 
@@ -228,7 +234,7 @@ public:
       this->Tints.Borrow(this->Device, casting.tints.data(), casting.tints.size(), what);
     }
     PictureRays rays{ RayMaker(this->Part.Whole(), casting.stepLength, view), view.width,
-      view.height, nearDepth, depth, pixels };
+      view.height, nearDepth, depth, pixels, view.RowsWithRays() };
     if (!picture.foremost.empty())
     {
       this->CastPart(casting, rays, picture);
@@ -251,8 +257,72 @@ public:
 
   double ArrivingLightAt(const Vec3& position) override { return this->Shown.ShadowAt(position); }
 
+protected:
+  const DrawnPart& Drawn() const { return this->Part; }
+
+  /// Returns the scene of the rays of a picture.
+  RayScene SceneOf(const Casting& casting) const
+  {
+    RayScene scene;
+    scene.grid = CellGrid(this->Part.Nodes().nodes);
+    scene.scalars = this->Scalars.Data();
+    scene.filled = this->Filled.Data();
+    scene.table = this->Table;
+    scene.majorant = this->Functions.Majorant();
+    scene.opaqueBelow = casting.opaqueBelow;
+    scene.stepLength = casting.stepLength;
+    scene.light = casting.light;
+    scene.gradient = casting.lit ? this->Gradient.Data() : nullptr;
+    if (!this->Shown.Empty())
+    {
+      scene.PlaceOverlay(this->PlaceOfShown());
+      scene.overlaySameNodes = this->Shown.Part().HasSameNodes(this->Part);
+      scene.addedUnit = this->Shown.Majorant() / scene.majorant;
+      scene.overlay = this->Shown.Changed() ? this->Shown.Packed() : nullptr;
+      const bool apart = casting.lit && this->Shown.Shadowed() && !this->ShadowsFitGradient();
+      scene.shadow = apart ? this->Shown.Shadow() : nullptr;
+    }
+    if (!casting.tints.empty())
+    {
+      scene.structures = this->Structures.Data();
+      scene.tints = this->Tints.Data();
+    }
+    if (casting.skipEmpty)
+    {
+      scene.bricks = this->Empty.Distances();
+    }
+    if (casting.compositing != Compositing::FrontToBack)
+    {
+      this->AddImportance(casting, scene);
+    }
+    return scene;
+  }
+
+  /// Returns the same scene, with the shadows always apart from the gradient.
+  RayScene SceneWithShadow(const Casting& casting) const
+  {
+    RayScene scene = this->SceneOf(casting);
+    scene.shadow = casting.lit && this->Shown.Shadowed() ? this->Shown.Shadow() : nullptr;
+    return scene;
+  }
+
+  /// Returns the scene of the rays that accumulate missed importance, which need no light.
+  RayScene MissedSceneOf(const Casting& casting) const
+  {
+    RayScene scene = this->SceneOf(casting);
+    this->AddImportance(casting, scene);
+    scene.gradient = nullptr;
+    scene.shadow = nullptr;
+    if (casting.skipEmpty)
+    {
+      scene.bricks = this->Empty.BareDistances();
+    }
+    return scene;
+  }
+
 private:
   using Field = DeviceArray<AnyDevice, float>;
+  static constexpr const char* extinctionText = "the transfer function's extinction";
 
   /// Moves the shown extinction. If this fails, nothing is shown. `casts`: whether it casts the
   /// shadows.
@@ -308,25 +378,31 @@ private:
 
   /// Returns the square of the largest length of a gradient at the owned nodes of all parts. Ghost
   /// nodes at the faces of the box have neighbours elsewhere.
-  Field LargestSteepness(const GradientNode& gradient) const
+  Field LargestSteepness() const
   {
     const char* what = "gradients";
-    const NodeBox& owned = this->Part.Owned();
-    const Int3 nodes = owned.Size();
-    Field ofNodes(this->Device, std::size_t(owned.Count()), what);
-    Field ofRows(this->Device, std::size_t(Index(nodes.y) * nodes.z), what);
+    const Int3 nodes = this->Part.Owned().Size();
+    const Int3 first = this->Part.Owned().First() - this->Part.Box().First();
+    Field ofNodes;
+    Field ofRows;
     Field ofSlices(this->Device, std::size_t(nodes.z), what);
     Field largest(this->Device, 1, what);
-    this->Device->ForNodes("steepness", nodes,
-      SteepnessNode{ gradient, owned.First() - this->Part.Box().First(), ofNodes.Data() });
-    const auto find = [&](const Field& values, int length, Field& ofRuns)
-    {
-      this->Device->ForIndices(
-        "steepness", Index(ofRuns.Size()), LargestOfRun{ values.Data(), length, ofRuns.Data() });
+    const auto find = [this](const float* values, int length, Index runs, float* ofRuns) {
+      this->Device->ForIndices("steepness", runs, LargestOfRun{ values, length, ofRuns });
     };
-    find(ofNodes, nodes.x, ofRows);
-    find(ofRows, nodes.y, ofSlices);
-    find(ofSlices, nodes.z, largest);
+    this->ForSlabs({ first.z, first.z + nodes.z },
+      [&](const Range<int>& layers, const GradientNode& gradient)
+      {
+        const Int3 here(nodes.x, nodes.y, layers.Length());
+        const Index rows = Index(here.y) * here.z;
+        float* squared = ofNodes.RoomFor(this->Device, std::size_t(rows * here.x), what);
+        float* largestOfRows = ofRows.RoomFor(this->Device, std::size_t(rows), what);
+        this->Device->ForNodes("steepness", here,
+          SteepnessNode{ gradient, { first.x, first.y, layers.begin }, squared });
+        find(squared, nodes.x, rows, largestOfRows);
+        find(largestOfRows, nodes.y, here.z, ofSlices.Data() + (layers.begin - first.z));
+      });
+    find(ofSlices.Data(), nodes.z, 1, largest.Data());
     if (!this->IsDevice()) // devices draw the whole
     {
       *largest.Data() = this->Part.LargestOf(*largest.Data());
@@ -334,15 +410,38 @@ private:
     return largest;
   }
 
-  /// Returns the transfer function's extinction of all scalars in a unit [1/length].
-  Field Classified(float majorant) const
+  /// Calls body(layers, gradient) for slabs that together are these layers of nodes. The gradient
+  /// is that of the transfer function's extinction, for the nodes of the slab.
+  template <class Body>
+  void ForSlabs(const Range<int>& all, const Body& body) const
   {
-    const Index count = this->Part.Nodes().NodeCount();
-    Field extinction(this->Device, std::size_t(count), "the transfer function's extinction");
-    this->Device->ForIndices("classify", count,
-      ClassifiedNode{
-        this->Table, this->Scalars.Data(), this->Filled.Data(), majorant, extinction.Data() });
-    return extinction;
+    constexpr Index nodesOfSlab = 1 << 20; // their extinction fits into caches
+    constexpr int fewestLayers = 16;       // two more are classified, too
+    const Grid& grid = this->Part.Nodes();
+    const Index perLayer = Index(grid.nodes.x) * grid.nodes.y;
+    const int most = std::max(fewestLayers, int(nodesOfSlab / perLayer));
+    const int read = std::min(most + 2, grid.nodes.z);
+    Field extinction(this->Device, std::size_t(read * perLayer), extinctionText);
+    for (int begin = all.begin; begin < all.end; begin += most)
+    {
+      const Range<int> slab{ begin, std::min(begin + most, all.end) };
+      const int first = std::max(slab.begin - 1, 0);
+      this->Classify({ first, std::min(slab.end + 1, grid.nodes.z) }, 1, extinction.Data());
+      body(
+        slab, GradientNode{ extinction.Data(), first, grid.nodes, grid.direction, grid.spacing });
+    }
+  }
+
+  /// Computes the transfer function's extinction of layers of scalars in a unit [1/length].
+  void Classify(const Range<int>& layers, float majorant, float* extinction) const
+  {
+    const Int3& nodes = this->Part.Nodes().nodes;
+    const Index perLayer = Index(nodes.x) * nodes.y;
+    const Index first = layers.begin * perLayer;
+    const float* filled = this->Filled.Data();
+    this->Device->ForIndices("classify", layers.Length() * perLayer,
+      ClassifiedNode{ this->Table, this->Scalars.Data() + first, filled ? filled + first : nullptr,
+        majorant, extinction });
   }
 
   /// Computes the light that arrives at the nodes of a part, from fields there.
@@ -413,43 +512,6 @@ private:
     }
   }
 
-  RayScene SceneOf(const Casting& casting) const
-  {
-    RayScene scene;
-    scene.grid = CellGrid(this->Part.Nodes().nodes);
-    scene.scalars = this->Scalars.Data();
-    scene.filled = this->Filled.Data();
-    scene.table = this->Table;
-    scene.majorant = this->Functions.Majorant();
-    scene.opaqueBelow = casting.opaqueBelow;
-    scene.stepLength = casting.stepLength;
-    scene.light = casting.light;
-    scene.gradient = casting.lit ? this->Gradient.Data() : nullptr;
-    if (!this->Shown.Empty())
-    {
-      scene.PlaceOverlay(this->PlaceOfShown());
-      scene.overlaySameNodes = this->Shown.Part().HasSameNodes(this->Part);
-      scene.addedUnit = this->Shown.Majorant() / scene.majorant;
-      scene.overlay = this->Shown.Changed() ? this->Shown.Packed() : nullptr;
-      const bool apart = casting.lit && this->Shown.Shadowed() && !this->ShadowsFitGradient();
-      scene.shadow = apart ? this->Shown.Shadow() : nullptr;
-    }
-    if (!casting.tints.empty())
-    {
-      scene.structures = this->Structures.Data();
-      scene.tints = this->Tints.Data();
-    }
-    if (casting.skipEmpty)
-    {
-      scene.bricks = this->Empty.Distances();
-    }
-    if (casting.compositing != Compositing::FrontToBack)
-    {
-      this->AddImportance(casting, scene);
-    }
-    return scene;
-  }
-
   void AddImportance(const Casting& casting, RayScene& scene) const
   {
     scene.importance = this->Importance.Data();
@@ -457,20 +519,6 @@ private:
     {
       scene.unimportant = this->Empty.UnimportantDistances();
     }
-  }
-
-  /// Returns the scene of the rays that accumulate missed importance, which need no light.
-  RayScene MissedSceneOf(const Casting& casting) const
-  {
-    RayScene scene = this->SceneOf(casting);
-    this->AddImportance(casting, scene);
-    scene.gradient = nullptr;
-    scene.shadow = nullptr;
-    if (casting.skipEmpty)
-    {
-      scene.bricks = this->Empty.BareDistances();
-    }
-    return scene;
   }
 
   Function KindOfFunction() const

@@ -4,6 +4,7 @@
 #ifndef limpid_render_Renderer_h
 #define limpid_render_Renderer_h
 
+#include "math/Range.h"
 #include "methods/Method.h"
 #include "render/DrawnPart.h"
 #include "scene/Grid.h"
@@ -90,9 +91,15 @@ struct View
   std::vector<glm::dvec4> planes;
 
   double sampleDistance = 1; ///< distance of samples, in units of the smallest spacing, > 0
+  Range<int> rows;           ///< of pixels with rays, others are empty; empty: all have rays
   bool jitter = false;       ///< shift the samples of each ray by a fixed pseudo-random amount
   bool skipEmpty = true;     ///< skip what is empty; never changes the picture
   double opaqueBelow = 1 / 1024.0; ///< a ray ends when its transmittance falls below this; 0: never
+
+  Range<int> RowsWithRays() const
+  {
+    return this->rows.Empty() ? Range<int>{ 0, this->height } : this->rows;
+  }
 };
 
 /// A picture, bottom row first.

@@ -47,9 +47,8 @@ LIMPID_HD LIMPID_INLINE void TraceFromObject(
       object.Meet(LaneOf(place.distance, i), LaneOf(importance, i));
     }
   }
-  object.begin > 0.0f
-    ? TraceRay<AnySampler, Lit, Overlaid, Tinted>(scene, ray.From(object.begin), pixel)
-    : TraceRay<AnySampler, Lit, Overlaid, Tinted>(scene, ray, pixel);
+  const Ray part = object.begin > 0.0f ? ray.From(object.begin) : ray;
+  TraceRay<AnySampler, Lit, Overlaid, Tinted>(scene, part, pixel);
 }
 
 /**

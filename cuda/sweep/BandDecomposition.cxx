@@ -340,7 +340,7 @@ void BandDecomposition::ExchangeVoxels(int s, const std::vector<SliceWindow*>& f
   this->Exchange(this->Voxels[std::size_t(s)],
     [&](int v, std::vector<Segment>& segments)
     {
-      const Range<int>& columns = this->Frustum.FilledVoxels(s, v);
+      const Range<int> columns = this->Frustum.FilledVoxels(s, v);
       for (SliceWindow* field : fields)
       {
         AddSegment(field->Row(this->Frustum.SliceAt(s).node, v), 0, columns, segments);

@@ -14,6 +14,7 @@
 #include "sweep/SlabTiles.h"
 
 #include <cstddef>
+#include <limits>
 #include <memory>
 
 namespace limpid
@@ -21,7 +22,7 @@ namespace limpid
 /// The blocks of nodes in which a field has a value above 0.
 struct FilledBlocks
 {
-  static constexpr int size = 4; ///< nodes along each axis
+  static constexpr int size = 2; ///< nodes along each axis
 
   Int3 counts;                 ///< number of blocks along each axis
   const unsigned char* filled; ///< [block]
@@ -83,54 +84,61 @@ public:
 /// Where tiles of rays may meet anything.
 struct TilesMet
 {
-  const unsigned char* meets; ///< [slab][tile]: in the slab, or in the layer in front of it
-  const int* firstSlabs; ///< [tile]: the first slab of these; if there is none, a larger number
+  static constexpr int never = std::numeric_limits<int>::max();
+
+  const int* layers;      ///< [slab][tile]: the first layer in the slab where it may, or never
+  const int* firstLayers; ///< [tile]: the first of all layers, or never
   int tiles;
 
-  LIMPID_HD LIMPID_INLINE bool Meets(int slab, int tile) const
+  LIMPID_HD LIMPID_INLINE int FirstIn(int slab, int tile) const
   {
-    return this->meets[Index(slab) * this->tiles + tile] != 0;
+    return this->layers[Index(slab) * this->tiles + tile];
   }
 };
 
-/// Computes TilesMet::meets of a tile in a slab.
+/// Computes TilesMet::layers of a tile in a slab.
 struct MadeTileMeets
 {
   SlabLayout<SlabsFromFront> layout;
   FilledBlocks blocks;
-  unsigned char* meets; ///< see TilesMet
+  int* layers; ///< see TilesMet
 
   LIMPID_HD void operator()(int tile, int slab) const
   {
-    const FaceFrustum& plan = this->layout.frustum;
-    const Range<int> slices = this->layout.SlabOf(slab);
-    const Range<int> layers =
-      Intersection(Range<int>{ slices.begin - 1, slices.end }, { 0, plan.lastSlice });
-    const Range<int> columns = this->layout.rays.ColumnsOf(tile);
-    const Range<int> rows = this->layout.rays.RowsOf(tile);
-    const bool any = AnyRayIsActive(plan, layers, columns, rows) &&
-      this->blocks.Any(this->NodesRead(layers, columns, rows));
-    this->meets[Index(slab) * this->layout.rays.Count() + tile] = any ? 1 : 0;
+    const Range<int> layersOfSlab =
+      Intersection(this->layout.SlabOf(slab), { 0, this->layout.frustum.lastSlice });
+    int layer = layersOfSlab.begin;
+    while (layer < layersOfSlab.end && !this->Meets(layer, tile))
+    {
+      ++layer;
+    }
+    this->layers[Index(slab) * this->layout.rays.Count() + tile] =
+      layer < layersOfSlab.end ? layer : TilesMet::never;
   }
 
 private:
-  /// Returns a box that contains all nodes which some rays read in some layers.
+  LIMPID_HD LIMPID_INLINE bool Meets(int layer, int tile) const
+  {
+    const Range<int> columns = this->layout.rays.ColumnsOf(tile);
+    const Range<int> rows = this->layout.rays.RowsOf(tile);
+    return AnyRayIsActive(this->layout.frustum, { layer, layer + 1 }, columns, rows) &&
+      this->blocks.Any(this->NodesRead(layer, columns, rows));
+  }
+
+  /// Returns a box that contains all nodes which some rays read in a layer.
   LIMPID_HD LIMPID_INLINE IndexBox NodesRead(
-    const Range<int>& layers, const Range<int>& columns, const Range<int>& rows) const
+    int layer, const Range<int>& columns, const Range<int>& rows) const
   {
     const FaceFrustum& plan = this->layout.frustum;
-    const Slice& first = plan.SliceAt(layers.begin);
-    const Slice& last = plan.SliceAt(layers.end - 1);
-    const Range<double> depths{ first.RelativeDepth(), plan.SliceAt(layers.end).RelativeDepth() };
-    const int front = first.nodes[0] < first.nodes[1] ? first.nodes[0] : first.nodes[1];
-    const int frontEnd = first.nodes[0] + first.nodes[1] - front;
-    const int back = last.nodes[0] < last.nodes[1] ? last.nodes[0] : last.nodes[1];
-    const int backEnd = last.nodes[0] + last.nodes[1] - back;
+    const Slice& slice = plan.SliceAt(layer);
+    const Range<double> depths{ slice.RelativeDepth(), plan.SliceAt(layer + 1).RelativeDepth() };
+    const int front = slice.nodes[0];
+    const int back = slice.nodes[1];
     IndexBox box{};
     this->Set(
       box, plan.axisU, NodesAlong(plan.Row(plan.columnLines), columns, depths, plan.nodesU));
     this->Set(box, plan.axisV, NodesAlong(plan.Row(plan.rowLines), rows, depths, plan.nodesV));
-    this->Set(box, plan.axisW, Hull(Range<int>{ front, frontEnd + 1 }, { back, backEnd + 1 }));
+    this->Set(box, plan.axisW, Hull({ front, front + 1 }, Range<int>{ back, back + 1 }));
     return box;
   }
 
@@ -155,21 +163,21 @@ private:
   }
 };
 
-/// Computes TilesMet::firstSlabs of a tile.
-struct MadeFirstSlab
+/// Computes TilesMet::firstLayers of a tile.
+struct MadeFirstLayer
 {
   TilesMet met;
   int slabs;
-  int* firstSlabs;
+  int* firstLayers;
 
   LIMPID_HD void operator()(Index tile) const
   {
-    int slab = 0;
-    while (slab < this->slabs && !this->met.Meets(slab, static_cast<int>(tile)))
+    int first = TilesMet::never;
+    for (int slab = 0; slab < this->slabs && first == TilesMet::never; ++slab)
     {
-      ++slab;
+      first = this->met.FirstIn(slab, static_cast<int>(tile));
     }
-    this->firstSlabs[tile] = slab;
+    this->firstLayers[tile] = first;
   }
 };
 
@@ -188,7 +196,7 @@ struct SlabTileIsDimmed
     {
       return false;
     }
-    return tile.hasRays ? this->MovesRays(tile, number) : this->DimsVoxels(tile, phase - 1);
+    return tile.hasRays ? this->MovesRays(tile, number) : this->DimsVoxels(tile);
   }
 
 private:
@@ -197,7 +205,7 @@ private:
     const int first = tile.place > 2 ? tile.place - 2 : 0;
     for (int slab = first; slab <= tile.place; ++slab)
     {
-      if (this->met.Meets(slab, number))
+      if (this->met.FirstIn(slab, number) != TilesMet::never)
       {
         return true;
       }
@@ -206,10 +214,10 @@ private:
     const FaceFrustum& plan = this->layout.frustum;
     const bool nearSides = plan.IsNearSides(tile.columns.begin, tile.rows.begin) ||
       plan.IsNearSides(tile.columns.end - 1, tile.rows.end - 1);
-    return nearSides && this->met.firstSlabs[number] <= tile.place;
+    return nearSides && this->met.firstLayers[number] < this->layout.SlabOf(tile.place).end;
   }
 
-  LIMPID_HD LIMPID_INLINE bool DimsVoxels(const SlabTile& tile, int slab) const
+  LIMPID_HD LIMPID_INLINE bool DimsVoxels(const SlabTile& tile) const
   {
     const FaceFrustum& plan = this->layout.frustum;
     const RayTiles& rays = this->layout.rays;
@@ -221,7 +229,8 @@ private:
     {
       for (int column = across.begin; column < across.end; ++column)
       {
-        if (this->met.firstSlabs[row * rays.Across() + column] <= slab)
+        // The density of a ray on a slice depends on the layer behind it, too.
+        if (this->met.firstLayers[row * rays.Across() + column] <= tile.place)
         {
           return true;
         }
@@ -250,12 +259,11 @@ PhaseLists<AnyDevice> ListSlabsFromFront(const std::shared_ptr<AnyDevice>& devic
   const char* what = "the plan of a sweep";
   const SlabLayout<SlabsFromFront> layout(frustum, slices);
   const int tiles = layout.rays.Count();
-  DeviceArray<AnyDevice, unsigned char> meets(
-    device, std::size_t(layout.slabs) * std::size_t(tiles), what);
-  DeviceArray<AnyDevice, int> firstSlabs(device, std::size_t(tiles), what);
-  const TilesMet met{ meets.Data(), firstSlabs.Data(), tiles };
-  device->ForEach(label, { tiles, layout.slabs }, MadeTileMeets{ layout, blocks, meets.Data() });
-  device->ForIndices(label, tiles, MadeFirstSlab{ met, layout.slabs, firstSlabs.Data() });
+  DeviceArray<AnyDevice, int> layers(device, std::size_t(layout.slabs) * std::size_t(tiles), what);
+  DeviceArray<AnyDevice, int> firstLayers(device, std::size_t(tiles), what);
+  const TilesMet met{ layers.Data(), firstLayers.Data(), tiles };
+  device->ForEach(label, { tiles, layout.slabs }, MadeTileMeets{ layout, blocks, layers.Data() });
+  device->ForIndices(label, tiles, MadeFirstLayer{ met, layout.slabs, firstLayers.Data() });
   return { device, layout.TileCount(), layout.PhaseCount(), SlabTileIsDimmed{ layout, met } };
 }
 }

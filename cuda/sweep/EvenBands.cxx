@@ -46,7 +46,7 @@ Index WorkOfRays(const FaceFrustum& frustum, int s, int row, const Range<int>& a
 /// Work of a row of voxels on a slice, of which `filled` columns may change.
 Index WorkOfVoxels(const FaceFrustum& frustum, int s, int v, const Range<int>& filled)
 {
-  const Range<int>& active = frustum.ActiveVoxels(s, v);
+  const Range<int> active = frustum.ActiveVoxels(s, v);
   const bool transposed = frustum.axisW == 0;
   return rowOfVoxels + (transposed ? transposedVoxel : filledVoxel) * filled.Length() +
     (active.Empty() ? 0 : rowOfActive + activeVoxel * active.Length());
@@ -181,7 +181,7 @@ std::vector<Index> WorkOfRows(const FaceFrustum& frustum, int s)
     const int* rows = frustum.Row(frustum.voxelRows, s).index;
     for (int v = slice.ownedRows.begin; v < slice.ownedRows.end; ++v)
     {
-      const Range<int>& filled = frustum.FilledVoxels(s, v);
+      const Range<int> filled = frustum.FilledVoxels(s, v);
       work[std::size_t(rows[v])] += filled.Empty() ? 0 : WorkOfVoxels(frustum, s, v, filled);
     }
   }

@@ -6,6 +6,7 @@
 #ifndef limpid_sweep_FaceFrustum_h
 #define limpid_sweep_FaceFrustum_h
 
+#include "backend/WideLoad.h"
 #include "math/Range.h"
 #include "math/Vec.h"
 #include "sweep/FlatTables.h"
@@ -287,8 +288,9 @@ struct FaceFrustum : FlatTables
   LIMPID_HD LIMPID_INLINE Range<int> ActiveRays(int s, int row) const
   {
     const Range<int>& described = this->SliceAt(s).rayRows;
-    return described.Contains(row) ? this->Row(this->activeRays, s)[row - described.begin]
-                                   : Range<int>{};
+    return described.Contains(row)
+      ? LoadAtOnce(this->Row(this->activeRays, s)[row - described.begin])
+      : Range<int>{};
   }
 
   /// Whether any ray of a row is visited in any of some layers.
@@ -302,14 +304,14 @@ struct FaceFrustum : FlatTables
     return any;
   }
 
-  LIMPID_HD LIMPID_INLINE const Range<int>& ActiveVoxels(int s, int v) const
+  LIMPID_HD LIMPID_INLINE Range<int> ActiveVoxels(int s, int v) const
   {
-    return this->Row(this->activeVoxels, s)[v];
+    return LoadAtOnce(this->Row(this->activeVoxels, s)[v]);
   }
 
-  LIMPID_HD LIMPID_INLINE const Range<int>& FilledVoxels(int s, int v) const
+  LIMPID_HD LIMPID_INLINE Range<int> FilledVoxels(int s, int v) const
   {
-    return this->Row(this->filledVoxels, s)[v];
+    return LoadAtOnce(this->Row(this->filledVoxels, s)[v]);
   }
 
   /// Returns the columns of rays that slice `s` describes around voxel column `u` and its

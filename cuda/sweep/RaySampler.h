@@ -27,6 +27,7 @@ public:
     : Frustum(frustum)
     , I(column)
     , J(row)
+    , Number(frustum.RayAt(column, row))
     , Here(here)
   {
   }
@@ -40,7 +41,7 @@ public:
     {
       this->Ray.layer.frontScale = this->Ray.layer.backScale = 1;
     }
-    this->Ray.length = this->Frustum.OfRow(this->Frustum.length, this->J)[this->I];
+    this->Ray.length = this->Frustum.Row(this->Frustum.length)[this->Number];
     this->Ray.column = this->Frustum.StayOfColumn(this->I);
     this->Ray.row = this->Frustum.StayOfRow(this->J);
     const bool active = this->Frustum.ActiveRays(s, this->J).Contains(this->I);
@@ -288,14 +289,14 @@ protected:
 
   LIMPID_HD LIMPID_INLINE float InView() const
   {
-    return this->Frustum.seesAll ? 1.0f
-                                 : this->Frustum.OfRow(this->Frustum.inView, this->J)[this->I];
+    return this->Frustum.seesAll ? 1.0f : this->Frustum.Row(this->Frustum.inView)[this->Number];
   }
 
   const FaceFrustum& Frustum;
   int I;
   int J;
-  int S = 0; ///< slice in front of the layer
+  int Number; ///< see FaceFrustum::RayAt
+  int S = 0;  ///< slice in front of the layer
   RayInLayer<LayerCrossing::Clipped> Ray{};
   Corner Corners[2]{}; ///< at the Gauss points of a layer in which the ray is active
 

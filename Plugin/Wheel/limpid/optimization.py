@@ -49,6 +49,7 @@ class Optimization:
     backend: str  #: what computed: "CPU, 2 threads"
     convergence: np.ndarray  #: one row per iteration, of type CONVERGENCE, the first is the base's
     memory: Memory  #: what the next run needs of it as `previous`
+    control_factor: int = 1  #: 2: the change was found at half the resolution, and so on
     structures: dict = None  #: StructureShares by label; None: none are given
     targets: str = ""  #: what is visible of structures with targets, in words
 
@@ -177,6 +178,10 @@ def optimize(volume=None, *, scalars=None, importance=None, importance_function=
     of_light = found.pop("light_extinction", None)
     shares = found.pop("structures", None)
     target_warning = found.pop("target_warning", None)
+    resolution = found.pop("resolution")
+    if resolution:
+        warn(f"optimised at {resolution} (more does not fit into the memory limit): scores are those "
+             "of this resolution. Raise memory_limit if there is more memory.")
     if target_warning:
         warn(target_warning)
     return Optimization(extinction=scene.as_given(found.pop("extinction")),

@@ -1,0 +1,348 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "vtkExtinctionOptimizerInternals.h"
+
+#include "Abort.h"
+#include "ControllerRanks.h"
+#include "OwnArrays.h"
+#include "SettingsConversion.h"
+#include "StructureTable.h"
+#include "Vectors.h"
+
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkPointData.h"
+#include "vtkTable.h"
+
+#include "backend/Interruption.h"
+#include "math/Require.h"
+#include "optimize/DistributedBackend.h"
+#include "optimize/SceneStructures.h"
+#include "scene/Placement.h"
+#include "scene/ViewSet.h"
+#include "viewpoint/MeetTargets.h"
+
+#include <algorithm>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+// Returns whether each process computes its piece of one result. All of them return the same, since
+// all have pieces and equal properties.
+bool vtkExtinctionOptimizer::Internals::RanksShare(vtkInformation* outInfo) const
+{
+  const limpid::Settings settings = limpid::SettingsOf(this->Self->Settings);
+  return limpid::AllRanksUpdate(outInfo) && limpid::NotOnRanks(settings).empty() &&
+    settings.backend != limpid::BackendKind::Cuda && !this->Self->OptimizeViewpoint;
+}
+
+limpid::ImageScene vtkExtinctionOptimizer::Internals::Read(vtkInformationVector** inputVector) const
+{
+  if (this->Ranks->IsAlone())
+  {
+    return this->Reader.Read(
+      this->Reader.RequireWholeImage(inputVector), this->Self->ExtinctionSource);
+  }
+  return this->Reader.ReadShared(this->Ranks, inputVector, this->Self->ExtinctionSource);
+}
+
+// Adds the arrays of the result. `solver`: on the control grid; becomes that of the data if results
+// are measured there.
+limpid::OptimizationSummary vtkExtinctionOptimizer::Internals::AddResults(
+  const limpid::ImageScene& scene, const limpid::ControlledScene& controlled,
+  std::unique_ptr<limpid::Solver>& solver, vtkImageData* output) const
+{
+  const limpid::ResultArrays wanted = this->WantedArrays();
+  if (!controlled.IsCoarser())
+  {
+    limpid::AddFields(*solver, scene.arrays, scene.unitDistance, wanted, output);
+    return limpid::SummaryOf(*solver);
+  }
+  if (controlled.MeasuresData())
+  {
+    std::unique_ptr<limpid::Solver> onData = controlled.OnData(*solver);
+    limpid::AddFields(*onData, scene.arrays, scene.unitDistance, wanted, output);
+    limpid::OptimizationSummary summary = limpid::SummaryOf(*solver, *onData);
+    summary.controlFactor = controlled.Control().factor;
+    solver = std::move(onData);
+    return summary;
+  }
+  const std::string left = wanted.OfSweeps().Text();
+  vtkWarningWithObjectMacro(
+    this->Self, << "Optimised at " << controlled.Control().Text()
+                << " (more does not fit into the memory limit). Scores are those of this resolution"
+                << (left.empty() ? "." : ", and these arrays are left out: " + left + ".")
+                << " Raise MemoryLimit if there is more memory.");
+  limpid::AddFields(
+    controlled.ExtinctionOnData(*solver), scene.arrays, scene.unitDistance, wanted, output);
+  limpid::OptimizationSummary summary = limpid::SummaryOf(*solver);
+  summary.controlFactor = controlled.Control().factor;
+  return summary;
+}
+
+// Returns the grid on which the change is found. It is chosen again only if what it depends on has
+// changed, since the memory that is left changes with every run.
+const limpid::ControlGrid& vtkExtinctionOptimizer::Internals::ChooseControl(
+  const limpid::SceneFields& scene)
+{
+  const limpid::Settings settings = limpid::SettingsOf(this->Self->Settings);
+  constexpr double ofData = 20; // both fields, the result, and what they are resampled from
+  const double all = this->BytesPerPoint();
+  std::ostringstream what;
+  what << scene.grid.nodes.x << ' ' << scene.grid.nodes.y << ' ' << scene.grid.nodes.z << ' ' << all
+       << ' ' << settings.memoryLimit << ' ' << int(settings.controlResolution) << ' '
+       << int(settings.method);
+  if (this->AnyRank(what.str() != this->ControlIsFor))
+  {
+    this->Control = limpid::InfoOf(settings.method).iterates
+      ? limpid::ChooseControlGrid(
+          settings, scene.grid, *limpid::OrWhole(scene.piece, scene.grid), { ofData, all - ofData })
+      : limpid::ControlGrid();
+    this->ControlIsFor = what.str();
+  }
+  return this->Control;
+}
+
+// Returns the arrays to write. A warm start needs the extinction.
+limpid::ResultArrays vtkExtinctionOptimizer::Internals::WantedArrays() const
+{
+  std::set<std::string> names = this->Self->ResultArrays;
+  if (this->Self->WarmStart)
+  {
+    names.insert("Extinction");
+  }
+  return limpid::ResultArrays(names);
+}
+
+// Keeps the extinction for the next start, and removes it from the output if it is not a result.
+void vtkExtinctionOptimizer::Internals::KeepExtinction(vtkImageData* input, vtkImageData* output)
+{
+  const char* name = "Extinction";
+  this->LastExtinction = this->Self->WarmStart
+    ? vtkFloatArray::SafeDownCast(output->GetPointData()->GetArray(name))
+    : nullptr;
+  if (this->LastExtinction && this->Self->ResultArrays.count(name) == 0)
+  {
+    output->GetPointData()->RemoveArray(name);
+    if (vtkAbstractArray* own = input->GetPointData()->GetAbstractArray(name))
+    {
+      output->GetPointData()->AddArray(own);
+    }
+  }
+}
+
+// Optimises with other importances of structures until their targets are met. Returns what is seen
+// of each structure; none if there are no structures.
+std::optional<limpid::TargetsFound> vtkExtinctionOptimizer::Internals::MeetTargets(
+  const limpid::ImageScene& scene, limpid::ControlledScene& controlled,
+  std::unique_ptr<limpid::Solver>& solver) const
+{
+  if (!scene.structures)
+  {
+    return {};
+  }
+  if (!controlled.IsCoarser())
+  {
+    const limpid::LabelledScene labelled{ scene.Fields(), scene.arrays.importance->GetPointer(0),
+      *scene.structures, scene.arrays.structureRows->GetPointer(0) };
+    return limpid::MeetTargets(labelled, this->LastChange, this->MakeProgress(), solver);
+  }
+  limpid::SceneFields fields = controlled.Fields();
+  const limpid::StructureRow* ofData = scene.arrays.structureRows->GetPointer(0);
+  const std::vector<limpid::StructureRow> rows = controlled.Rows(ofData);
+  std::vector<float> importance(fields.importance, fields.importance + fields.ValueCount());
+  fields.importance = fields.despeckled = importance.data();
+  const limpid::LabelledScene labelled{ fields, importance.data(), *scene.structures, rows.data() };
+  limpid::TargetsFound found =
+    limpid::MeetTargets(labelled, this->LastChange, this->MakeProgress(), solver);
+  limpid::FillImportance(
+    found.structures, ofData, scene.Fields().ValueCount(), scene.arrays.importance->GetPointer(0));
+  controlled.PrepareData(scene.Fields());
+  return found;
+}
+
+// Writes what is seen of each structure, and what has become of targets.
+void vtkExtinctionOptimizer::Internals::WriteStructures(const limpid::ImageScene& scene,
+  const limpid::TargetsFound& found, vtkImageData* output, vtkTable* table) const
+{
+  if (!found.warning.empty())
+  {
+    vtkWarningWithObjectMacro(this->Self, << found.warning);
+  }
+  const std::string missing = limpid::StructuresWithoutMatter(*scene.structures, found.shares);
+  if (!missing.empty())
+  {
+    vtkWarningWithObjectMacro(this->Self,
+      << "Of these structures there is nothing to see in the image: " << missing
+      << " (no point has the label, the points have no extinction, or they are out of view; their "
+         "shares are 0). Check the labels, the structure array and the opacity function.");
+  }
+  limpid::FillStructures(*scene.structures, found, table);
+  if (!found.text.empty())
+  {
+    limpid::AddTargets(found, output->GetFieldData());
+  }
+}
+
+// Returns whether the light has its own extinction.
+bool vtkExtinctionOptimizer::Internals::HasTwoExtinctions() const
+{
+  return this->Self->GetMode() == SEPARATE || this->Self->GetMethod() == AMENT_2017;
+}
+
+// Memory of a run in addition to its input, including results. Measured by
+// Testing/Benchmarks/filter_memory.py at 512^3 points: 34 with the policy, 40 with Adam, 63 in
+// separate mode, 46 if the policy also optimises the viewpoint; up to three more at 256^3. Counted:
+// smoothed importance and its derived fields, of which there may be a copy in another order of
+// axes; the pull of neighbours; the last change, and the fields derived from it in two orders.
+double vtkExtinctionOptimizer::Internals::BytesPerPoint() const
+{
+  const bool adam = this->Self->GetSolver() == ADAM;
+  const bool two = this->HasTwoExtinctions();
+  const double separate = two ? 22 : 0;
+  const double viewpoint = this->Self->OptimizeViewpoint ? (adam ? 30 : 12) : 0;
+  const double despeckled = this->Self->GetImportanceSmoothing() == MEDIAN ? 20 : 0;
+  const double smoothed = this->Self->GetSmoothness() > 0 ? 4 : 0;
+  const double coherent = this->Self->GetTemporalCoherence() > 0 ? (two ? 24 : 12) : 0;
+  return (adam ? 42 : 36) + separate + viewpoint + despeckled + smoothed + coherent;
+}
+
+limpid::Camera vtkExtinctionOptimizer::Internals::MakeCamera(const limpid::Grid& grid) const
+{
+  limpid::Camera camera;
+  camera.position = limpid::ToVec3(this->Self->CameraPosition);
+  camera.focalPoint = limpid::ToVec3(this->Self->CameraFocalPoint);
+  camera.viewUp = limpid::ToVec3(this->Self->CameraViewUp);
+  camera.viewAngle = this->Self->CameraViewAngle;
+  camera.parallel = this->Self->CameraParallelProjection != 0;
+  camera.parallelScale = this->Self->CameraParallelScale;
+  camera.aspect = this->Self->CameraAspectRatio;
+  if (this->Self->AutomaticPlacement && limpid::IsUnplaced(camera))
+  {
+    LIMPID_REQUIRE(camera.viewAngle > 0 && camera.viewAngle < 180,
+      "CameraViewAngle is " << camera.viewAngle
+                            << " degrees (no camera distance would show the whole image). Set an "
+                               "angle between 0 and 180 degrees.");
+    limpid::PlaceCamera(grid, camera);
+  }
+  return camera;
+}
+
+limpid::Light vtkExtinctionOptimizer::Internals::MakeLight(const limpid::Camera& camera) const
+{
+  limpid::Light light = limpid::LightOf(this->Self->Settings, camera.focalPoint);
+  if (this->Self->AutomaticPlacement && limpid::IsUnplaced(light))
+  {
+    limpid::PlaceLight(camera, light);
+  }
+  return light;
+}
+
+limpid::Progress vtkExtinctionOptimizer::Internals::MakeProgress() const
+{
+  return [this](double share, const std::string& text)
+  {
+    this->Self->SetProgressText(text.c_str());
+    this->Self->UpdateProgress(share);
+    if (limpid::IsAborted(this->Self))
+    {
+      throw limpid::Interrupted();
+    }
+    return true;
+  };
+}
+
+// Optimises the extinction and, with OptimizeViewpoint, the camera.
+limpid::ConcurrentResult vtkExtinctionOptimizer::Internals::Optimize(
+  const limpid::ControlledScene& controlled, const limpid::Camera& camera,
+  const limpid::Light& light) const
+{
+  const limpid::SceneFields scene = controlled.Fields();
+  const limpid::Progress progress = this->MakeProgress();
+  const std::vector<limpid::Camera> cameras = limpid::CamerasOf(
+    limpid::ViewSetOf(this->Self->Settings), camera, limpid::OrbitStart::AtCamera);
+  limpid::Settings settings = limpid::ForCameras(limpid::SettingsOf(this->Self->Settings), cameras);
+  settings.scoreIterations = true; // for the table Convergence
+  limpid::ConcurrentResult result;
+  result.camera = camera;
+  if (this->Self->OptimizeViewpoint)
+  {
+    LIMPID_REQUIRE(settings.method == limpid::Method::Optimized,
+      "OptimizeViewpoint is on and Method is " << limpid::InfoOf(settings.method).name
+                                               << " (only the method Optimized supports this). Set "
+                                                  "Method to Optimized or OptimizeViewpoint off.");
+    LIMPID_REQUIRE(cameras.size() == 1,
+      "OptimizeViewpoint is on and Views is not Single View (only a single camera can be "
+      "optimised). Set Views to Single View or OptimizeViewpoint off.");
+    const auto guide = static_cast<limpid::Guide>(this->Self->ViewpointGuide);
+    result = limpid::OptimizeConcurrently(scene, camera, light, settings, guide, progress);
+  }
+  else
+  {
+    result.solver =
+      std::make_unique<limpid::Solver>(scene, cameras.front(), light, settings, this->LastChange);
+    this->StartFromLastResult(controlled, *result.solver);
+    result.solver->Run(progress);
+  }
+  return result;
+}
+
+void vtkExtinctionOptimizer::Internals::StartFromLastResult(
+  const limpid::ControlledScene& scene, limpid::Solver& solver) const
+{
+  if (!this->Self->WarmStart || this->Self->GetMethod() != OPTIMIZED ||
+    this->Self->GetMode() != JOINT)
+  {
+    return;
+  }
+  const limpid::SceneFields& data = scene.Data();
+  const bool fits = this->LastNodes == data.grid.nodes &&
+    limpid::HaveSameBoxes(this->LastPiece.get(), data.piece.get());
+  const bool isThere = this->LastExtinction || data.ValueCount() == 0;
+  if (!this->AnyRank(!fits || !isThere))
+  {
+    scene.Start(solver, this->LastExtinction ? this->LastExtinction->GetPointer(0) : nullptr);
+  }
+}
+
+void vtkExtinctionOptimizer::Internals::WriteUnsolved(
+  const limpid::ImageScene& scene, vtkImageData* output) const
+{
+  vtkWarningWithObjectMacro(this->Self,
+    "The image has " << scene.grid.nodes.x << " x " << scene.grid.nodes.y << " x "
+                     << scene.grid.nodes.z
+                     << " points (it has no volume, so nothing is occluded): the extinction is not "
+                        "changed. Give an image with at least two points per axis.");
+  limpid::AddUnsolvedFields(
+    scene.arrays, scene.unitDistance, this->HasTwoExtinctions(), this->WantedArrays(), output);
+}
+
+// Scripts find results by their names, so results replace arrays of the same name.
+void vtkExtinctionOptimizer::Internals::ReportReplaced(
+  const limpid::ImageScene& scene, vtkImageData* input, vtkImageData* output) const
+{
+  std::vector<vtkAbstractArray*> replaced =
+    limpid::MarkResults(input->GetPointData(), output->GetPointData());
+  const std::vector<vtkAbstractArray*> fields =
+    limpid::MarkResults(input->GetFieldData(), output->GetFieldData());
+  replaced.insert(replaced.end(), fields.begin(), fields.end());
+  std::string names;
+  for (vtkAbstractArray* array : replaced)
+  {
+    const auto& taken = scene.taken;
+    if (std::find(taken.begin(), taken.end(), array) == taken.end())
+    {
+      names += (names.empty() ? "\"" : ", \"") + std::string(array->GetName()) + "\"";
+    }
+  }
+  if (!names.empty())
+  {
+    vtkWarningWithObjectMacro(this->Self,
+      "The input has arrays with the names of results, "
+        << names
+        << " (array names are unique, so the output has the results instead). Rename them before "
+           "this filter if you need them after it.");
+  }
+}
