@@ -30,21 +30,9 @@ DISTANCE = 3  # radii of the box
 
 
 def optimizer_for(scene):
-    image, volume_property, importance = scene
-    optimizer = vtkExtinctionOptimizer()
+    optimizer = steadiness.optimizer_for(scene)
     optimizer.SetPreset("Paper")
-    optimizer.SetInputData(image)
-    optimizer.SetInputArrayToProcess(0, 0, 0, 0, image.GetPointData().GetScalars().GetName())
-    optimizer.SetInputArrayToProcess(
-        1, 0, 0, 0, "Importance" if importance is None else
-        image.GetPointData().GetScalars().GetName())
-    optimizer.SetScalarOpacityFunction(volume_property.GetScalarOpacity())
-    optimizer.SetScalarOpacityUnitDistance(volume_property.GetScalarOpacityUnitDistance())
-    if importance is not None:
-        optimizer.UseImportanceFunctionOn()
-        optimizer.SetImportanceFunction(importance)
-    optimizer.AutomaticPlacementOff()
-    optimizer.SetCameraFocalPoint(image.GetCenter())
+    optimizer.SetCameraFocalPoint(scene[0].GetCenter())
     return optimizer
 
 

@@ -53,6 +53,23 @@ def load(name, resolution=128):
     return image, volume_views.property_of(color, opacity, unit), None
 
 
+def optimizer_for(scene):
+    """A filter on a scene, whose camera is to be placed."""
+    image, volume_property, importance = scene
+    optimizer = vtkExtinctionOptimizer()
+    optimizer.SetInputData(image)
+    scalars = image.GetPointData().GetScalars().GetName()
+    optimizer.SetInputArrayToProcess(0, 0, 0, 0, scalars)
+    optimizer.SetInputArrayToProcess(1, 0, 0, 0, "Importance" if importance is None else scalars)
+    optimizer.SetScalarOpacityFunction(volume_property.GetScalarOpacity())
+    optimizer.SetScalarOpacityUnitDistance(volume_property.GetScalarOpacityUnitDistance())
+    if importance is not None:
+        optimizer.UseImportanceFunctionOn()
+        optimizer.SetImportanceFunction(importance)
+    optimizer.AutomaticPlacementOff()
+    return optimizer
+
+
 class Turning:
     """A volume in a view whose camera goes round it, one converged picture per step."""
 

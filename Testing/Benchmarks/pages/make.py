@@ -17,7 +17,8 @@ import json
 import os
 
 PAGES = ("errors", "resolutions", "scaling", "kernels", "solvers", "rendering", "viewpoints",
-         "peers", "gpu", "counts", "compilers", "steadiness", "orbits", "presets", "ranks")
+         "peers", "gpu", "counts", "compilers", "steadiness", "orbits", "presets", "ranks",
+         "graphics", "control")
 PLOTTED = (*PAGES[:4], "peers")
 
 
