@@ -14,10 +14,10 @@ namespace limpid
 {
 namespace
 {
-// Memory of a display beside its input: what scalars, gradients and pictures take, and what the
-// optimisation and shadows take. Measured by Testing/Benchmarks/large_display.py at 512^3 points:
+// Memory of a display beside its input and fields of its points: what gradients and pictures take,
+// and what the optimisation and shadows take. Measured by Testing/Benchmarks/large_display.py at 512^3 points:
 // 21.5 bytes a point at half and 14.5 at quarter resolution.
-constexpr NeedPerNode Need{ 14, 64 };
+constexpr NeedPerNode Need{ 10, 64 };
 
 // Returns a reference on another grid; empty if there is none.
 std::vector<float> ReferenceOn(
@@ -36,16 +36,16 @@ struct OwnFields
 }
 
 const ControlGrid& ControlFields::Choose(
-  const Settings& settings, const DrawnPart& part, bool drawn)
+  const Settings& settings, const DrawnPart& part, double ofFields)
 {
   const Int3& nodes = part.Whole().nodes;
   std::ostringstream what;
   what << nodes.x << ' ' << nodes.y << ' ' << nodes.z << ' ' << part.Nodes().NodeCount() << ' '
-       << int(settings.controlResolution) << ' ' << settings.memoryLimit << ' ' << drawn;
+       << int(settings.controlResolution) << ' ' << settings.memoryLimit << ' ' << ofFields;
   if (what.str() != this->ChosenFor)
   {
     NeedPerNode need = Need;
-    need.ofData += drawn ? sizeof(float) : 0;
+    need.ofData += ofFields;
     this->Control = ChooseControlGrid(settings, part.Whole(), *part.Piece(), need);
     this->ChosenFor = what.str();
   }

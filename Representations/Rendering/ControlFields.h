@@ -23,9 +23,9 @@ class ControlFields
 {
 public:
   /// Returns the grid that settings ask for. It is chosen again only if what it depends on has
-  /// changed, since the memory that is left changes all the time. `part`: of the data; `drawn`:
-  /// whether pictures need the importance, too.
-  const ControlGrid& Choose(const Settings& settings, const DrawnPart& part, bool drawn);
+  /// changed, since the memory that is left changes all the time. `part`: of the data; `ofFields`:
+  /// bytes of a point in fields that pictures need.
+  const ControlGrid& Choose(const Settings& settings, const DrawnPart& part, double ofFields);
   const ControlGrid& Chosen() const { return this->Control; }
 
   /// Returns whether the fields of a version of the scene on the chosen grid are here.

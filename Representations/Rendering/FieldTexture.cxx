@@ -37,6 +37,12 @@ TexelFormat FormatOf(TexelKind kind)
   {
     case TexelKind::Float:
       return { GL_R32F, GL_RED, GL_FLOAT, 4, 4, true };
+    case TexelKind::FloatOfInt8:
+    case TexelKind::FloatOfUInt8:
+      return { GL_R32F, GL_RED, GL_FLOAT, 4, 1, true };
+    case TexelKind::FloatOfInt16:
+    case TexelKind::FloatOfUInt16:
+      return { GL_R32F, GL_RED, GL_FLOAT, 4, 2, true };
     case TexelKind::OneNumber:
       return { GL_R16_SNORM, GL_RED, GL_SHORT, 2, 4, true };
     case TexelKind::TwoNumbers:
@@ -122,6 +128,24 @@ std::int16_t PackedOf(TexelKind kind, const std::uint8_t* node)
   return packed;
 }
 
+/// Returns nodes that textures have as floats.
+ScalarNodes IntegersOf(TexelKind kind, const std::uint8_t* nodes)
+{
+  switch (kind)
+  {
+    case TexelKind::FloatOfInt8:
+      return ScalarNodes(reinterpret_cast<const std::int8_t*>(nodes));
+    case TexelKind::FloatOfUInt8:
+      return ScalarNodes(nodes);
+    case TexelKind::FloatOfInt16:
+      return ScalarNodes(reinterpret_cast<const std::int16_t*>(nodes));
+    case TexelKind::FloatOfUInt16:
+      return ScalarNodes(reinterpret_cast<const std::uint16_t*>(nodes));
+    default:
+      return {};
+  }
+}
+
 /// Appends nodes in the form of the texture.
 void Append(TexelKind kind, const std::uint8_t* from, int count, std::vector<std::uint8_t>& texels)
 {
@@ -134,12 +158,32 @@ void Append(TexelKind kind, const std::uint8_t* from, int count, std::vector<std
     std::memcpy(to, from, texels.size() - before);
     return;
   }
+  const ScalarNodes integers = IntegersOf(kind, from);
   for (int i = 0; i < count; ++i)
   {
+    if (integers.IsThere())
+    {
+      const float scalar = integers.At(i);
+      std::memcpy(to + std::ptrdiff_t(i) * format.bytes, &scalar, sizeof(scalar));
+      continue;
+    }
     const std::int16_t packed = PackedOf(kind, from + std::ptrdiff_t(i) * format.sourceBytes);
     std::memcpy(to + std::ptrdiff_t(i) * format.bytes, &packed, sizeof(packed));
   }
 }
+}
+
+TexelKind KindOf(const ScalarNodes& scalars)
+{
+  switch (scalars.Bits())
+  {
+    case 8:
+      return scalars.IsSigned() ? TexelKind::FloatOfInt8 : TexelKind::FloatOfUInt8;
+    case 16:
+      return scalars.IsSigned() ? TexelKind::FloatOfInt16 : TexelKind::FloatOfUInt16;
+    default:
+      return TexelKind::Float;
+  }
 }
 
 FieldTexture::FieldTexture() = default;

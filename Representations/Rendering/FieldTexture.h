@@ -7,6 +7,7 @@
 #define limpid_FieldTexture_h
 
 #include "math/Vec.h"
+#include "render/ScalarNodes.h"
 
 #include "vtkNew.h"
 
@@ -23,6 +24,10 @@ namespace limpid
 enum class TexelKind
 {
   Float,
+  FloatOfInt8, ///< an integer, stored as a float
+  FloatOfUInt8,
+  FloatOfInt16,
+  FloatOfUInt16,
   OneNumber,    ///< a float in [0, packedOne], stored in 16 bits and read in [0, 1]
   TwoNumbers,   ///< packed, read in [0, 1]
   FirstOfTwo,   ///< the same, without the second, which is read as 0
@@ -30,6 +35,9 @@ enum class TexelKind
   SmallInteger, ///< of 8 bits
   Integer       ///< of 16 bits
 };
+
+/// Returns how textures have such scalars.
+TexelKind KindOf(const ScalarNodes& scalars);
 
 /// A 3-D texture. Only bricks of nodes that have changed are uploaded.
 class FieldTexture

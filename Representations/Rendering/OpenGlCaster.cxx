@@ -331,7 +331,7 @@ void OpenGlCaster::SetFields(const CastTask& task, vtkShaderProgram& program)
     }
   };
   SetVector(program, "lastNode", scene.grid.lastNode);
-  use("scalars", scene.scalars, nodes, TexelKind::Float, versions.scalars);
+  use("scalars", scene.scalars.Memory(), nodes, KindOf(scene.scalars), versions.scalars);
   use("filledShares", scene.filled, nodes, TexelKind::Float, versions.scalars);
   use("gradients", scene.gradient, nodes, TexelKind::FourNumbers, versions.gradient);
   use("bricks", scene.bricks.distance, BricksOf(nodes), TexelKind::SmallInteger, versions.bricks);

@@ -275,7 +275,7 @@ float LargestExtinction(vtkVolumeProperty* property)
 }
 
 void LookUpExtinction(const TransferFunctions& functions, const ExactExtinction& exact,
-  const ValueUnit& unit, const float* values, Index count, float* extinction)
+  const ValueUnit& unit, const ScalarNodes& values, Index count, float* extinction)
 {
   const TableAxis axis(functions.low, functions.high, functions.extinction.size());
   const float* entries = functions.extinction.data();
@@ -290,9 +290,10 @@ void LookUpExtinction(const TransferFunctions& functions, const ExactExtinction&
     {
       for (vtkIdType i = begin; i < end; ++i)
       {
-        extinction[i] = std::isnan(values[i]) ? 0.0F
-          : exact.ofValue ? static_cast<float>(exact.ofValue(unit.Back(values[i])))
-                          : lookUp(values[i]);
+        const float value = values.At(i);
+        extinction[i] = std::isnan(value) ? 0.0F
+          : exact.ofValue ? static_cast<float>(exact.ofValue(unit.Back(value)))
+                          : lookUp(value);
       }
     });
 }

@@ -83,10 +83,10 @@ TransferFunctions SampleColors(
 /// Returns the largest extinction of the opacity function over all values, Eq. (25) [1/length].
 float LargestExtinction(vtkVolumeProperty* property);
 
-/// Computes the extinction of `count` values, by linear interpolation in the table or exactly; zero
-/// for NaN [1/length].
+/// Computes the extinction of the first `count` values, by linear interpolation in the table or
+/// exactly; zero for NaN [1/length].
 void LookUpExtinction(const TransferFunctions& functions, const ExactExtinction& exact,
-  const ValueUnit& unit, const float* values, Index count, float* extinction);
+  const ValueUnit& unit, const ScalarNodes& values, Index count, float* extinction);
 }
 
 #endif

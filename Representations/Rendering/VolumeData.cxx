@@ -74,6 +74,51 @@ ValueUnit UnitWithin(double low, double high)
   return unit;
 }
 
+// Returns the values of an array that the core can read; none for other types and layouts.
+ScalarNodes InPlace(vtkDataArray* array)
+{
+  if (!array->HasStandardMemoryLayout() || array->GetNumberOfComponents() != 1)
+  {
+    return {};
+  }
+  switch (array->GetDataType())
+  {
+    case VTK_FLOAT:
+      return static_cast<const float*>(array->GetVoidPointer(0));
+    case VTK_CHAR:
+      return ScalarNodes(static_cast<const char*>(array->GetVoidPointer(0)));
+    case VTK_SIGNED_CHAR:
+      return ScalarNodes(static_cast<const signed char*>(array->GetVoidPointer(0)));
+    case VTK_UNSIGNED_CHAR:
+      return ScalarNodes(static_cast<const unsigned char*>(array->GetVoidPointer(0)));
+    case VTK_SHORT:
+      return ScalarNodes(static_cast<const short*>(array->GetVoidPointer(0)));
+    case VTK_UNSIGNED_SHORT:
+      return ScalarNodes(static_cast<const unsigned short*>(array->GetVoidPointer(0)));
+    default:
+      return {};
+  }
+}
+
+bool AreFinite(const ScalarNodes& values, vtkIdType count)
+{
+  std::atomic<bool> finite{ true };
+  if (values.Bits() == 32)
+  {
+    ForOnAllCores(count,
+      [&](vtkIdType begin, vtkIdType end)
+      {
+        const float* floats = values.Floats();
+        if (!std::all_of(
+              floats + begin, floats + end, [](float value) { return std::isfinite(value); }))
+        {
+          finite = false;
+        }
+      });
+  }
+  return finite;
+}
+
 // Calls body(node, its position in data coordinates, count), which returns whether to count the
 // node. Returns the count.
 template <class Body>
@@ -147,6 +192,22 @@ ValueUnit VolumeData::ChooseUnit(const FieldSource& source, const FunctionRange&
   return this->UnitIsOfFunctions
     ? UnitWithin(std::max(this->Low, functions.low), std::min(this->High, functions.high))
     : UnitOf(this->Low, this->High);
+}
+
+ScalarNodes VolumeData::Scalars() const
+{
+  return InPlace(this->ScalarValues);
+}
+
+// Returns whether the scalars are the values of the image's array, none of which is empty.
+bool VolumeData::ReadsInPlace(
+  const FieldSource& source, const FieldSource& extinction, const CropRegion& crop) const
+{
+  return this->Ranks->IsAlone() && source.array && !source.onCells && !extinction.array &&
+    this->Unit.IsPlain() && this->ScalarShares.empty() && crop.IsEverything() &&
+    source.array->GetNumberOfTuples() == this->Nodes().NodeCount() &&
+    InPlace(source.array).IsThere() &&
+    AreFinite(InPlace(source.array), source.array->GetNumberOfTuples());
 }
 
 // Makes blanked points empty, and points outside of the crop region except those of cells that its
@@ -265,9 +326,31 @@ void VolumeData::UpdateScalars(vtkImageData* image, const FieldSource& source,
   }
   this->InputGrid = grid;
   this->Part = grid;
-  vtkSmartPointer<vtkFloatArray> values =
-    source.array ? ConvertField(here, scaled, "Scalars") : NewArray<vtkFloatArray>("Scalars", 0);
   this->ScalarShares = Blanking(here).Shares(source.onCells);
+  this->HasOwnScalars = !this->ReadsInPlace(source, extinction, crop);
+  vtkSmartPointer<vtkDataArray> values = source.array;
+  if (this->HasOwnScalars)
+  {
+    values = this->ConvertScalars(here, scaled, extinction, crop);
+  }
+  else
+  {
+    this->InvalidScalars = 0;
+    this->TakeExtinction(here, {}, nullptr);
+  }
+  this->ScalarValues = values; // completely or not at all
+  this->ScalarsKey = key;
+  this->ExtinctionKey = extinctionKey;
+  this->Crop = crop;
+  this->ScalarChanges += same && released ? 0 : 1;
+}
+
+// Returns the scalars as floats, with NaN where there is nothing to see.
+vtkSmartPointer<vtkFloatArray> VolumeData::ConvertScalars(vtkImageData* here,
+  const FieldSource& source, const FieldSource& extinction, const CropRegion& crop)
+{
+  vtkSmartPointer<vtkFloatArray> values =
+    source.array ? ConvertField(here, source, "Scalars") : NewArray<vtkFloatArray>("Scalars", 0);
   this->InvalidScalars = this->EmptyScalars(crop, this->Shares(), values->GetPointer(0));
   this->TakeExtinction(here, extinction, values->GetPointer(0));
   this->InvalidScalars = this->SumOverRanks(this->InvalidScalars);
@@ -278,11 +361,7 @@ void VolumeData::UpdateScalars(vtkImageData* image, const FieldSource& source,
     this->ScalarShares = this->Shared->Extended(this->ScalarShares);
     this->Part = this->Shared->Drawn();
   }
-  this->ScalarValues = values; // completely or not at all
-  this->ScalarsKey = key;
-  this->ExtinctionKey = extinctionKey;
-  this->Crop = crop;
-  this->ScalarChanges += same && released ? 0 : 1;
+  return values;
 }
 
 void VolumeData::UpdateFunctions(vtkVolumeProperty* property)
@@ -319,7 +398,7 @@ void VolumeData::UpdateFunctions(vtkVolumeProperty* property)
 // `shares`: what is kept of it at each point; empty: everything.
 void VolumeData::CorrectImportance(const std::vector<float>& shares)
 {
-  const float* scalars = this->Scalars();
+  const ScalarNodes scalars = this->Scalars();
   float* importance = this->Arrays.importance->GetPointer(0);
   const bool isCut = !this->Crop.planes.empty();
   this->Arrays.allPoints = this->Whole().NodeCount();
@@ -329,7 +408,7 @@ void VolumeData::CorrectImportance(const std::vector<float>& shares)
       {
         const bool blanked = !shares.empty() && shares[std::size_t(node)] == 0;
         const bool outside = isCut && !this->Crop.Contains(this->Nodes(), index, 0);
-        const bool empty = blanked || outside || std::isnan(scalars[node]);
+        const bool empty = blanked || outside || std::isnan(scalars.At(node));
         const bool invalid = !empty && std::isnan(importance[node]);
         importance[node] = empty || invalid ? 0.0F : importance[node];
         return invalid && this->Owns(index);
@@ -366,8 +445,10 @@ void VolumeData::UpdateImportance(vtkImageData* image, const FieldSource& source
     this->Arrays.importance = nullptr;
     ++this->ImportanceChanges;
   }
+  const double ofFields =
+    (this->HasOwnScalars ? sizeof(float) : 0) + (drawn ? sizeof(float) : 0);
   const bool coarser =
-    this->Part.IsWhole() && this->Control.Choose(settings, this->Part, drawn).factor > 1;
+    this->Part.IsWhole() && this->Control.Choose(settings, this->Part, ofFields).factor > 1;
   const bool needed =
     !coarser || drawn || !this->Control.Are(this->DataSceneVersion(), settings.importanceSmoothing);
   if (this->AnyRank(needed && !this->Arrays.importance))
@@ -454,11 +535,7 @@ std::string VolumeData::Warning() const
   counts.invalidPoints = std::max(counts.invalidPoints, this->InvalidScalars);
   counts.negativePoints = this->NegativeExtinctions;
   counts.allPoints = this->Whole().NodeCount();
-  if (!counts.baseExtinction)
-  {
-    counts.baseExtinction = this->ScalarValues; // for the number of points
-  }
-  return counts.baseExtinction ? counts.Warning() : std::string();
+  return counts.baseExtinction || this->ScalarValues ? counts.Warning() : std::string();
 }
 
 void VolumeData::Release()

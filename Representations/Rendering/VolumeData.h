@@ -66,7 +66,7 @@ public:
   const Grid& Nodes() const { return this->Part.Nodes(); }
   const Grid& Whole() const { return this->Part.Whole(); }
 
-  const float* Scalars() const { return this->ScalarValues->GetPointer(0); } ///< NaN: empty
+  ScalarNodes Scalars() const; ///< NaN: empty
   const CropRegion& Cropped() const { return this->Crop; }
 
   /// Returns the share of the functions' extinction that is kept at each point [0, 1]; null:
@@ -152,6 +152,10 @@ private:
   vtkImageData* Here(vtkImageData* image) const;
   static ArrayKey KeyOf(vtkImageData* image, const FieldSource& source, vtkMTimeType mapping);
   ValueUnit ChooseUnit(const FieldSource& source, const FunctionRange& functions);
+  bool ReadsInPlace(
+    const FieldSource& source, const FieldSource& extinction, const CropRegion& crop) const;
+  vtkSmartPointer<vtkFloatArray> ConvertScalars(vtkImageData* here, const FieldSource& source,
+    const FieldSource& extinction, const CropRegion& crop);
   vtkIdType EmptyScalars(const CropRegion& crop, const float* shares, float* values) const;
   void TakeExtinction(vtkImageData* image, const FieldSource& source, float* scalars);
   void TakeImportance(vtkImageData* here, const FieldSource& source);
@@ -176,7 +180,8 @@ private:
   bool UnitIsOfFunctions = false; ///< whether other functions would change the unit
   double Low = 0;                 ///< smallest value of the data
   double High = 0;                ///< largest value of the data
-  vtkSmartPointer<vtkFloatArray> ScalarValues;
+  vtkSmartPointer<vtkDataArray> ScalarValues; ///< the array of the image where that is possible
+  bool HasOwnScalars = false;                 ///< whether it is not
   bool IsReleased = false;         ///< whether the scalars were, and are not there again
   std::vector<float> ScalarShares; ///< see Shares
   ArrayKey ExtinctionKey;

@@ -19,7 +19,7 @@ void VolumeData::FillBaseExtinction(const Range<int>& layers, float* base) const
   const Index perLayer = Index(nodes.x) * nodes.y;
   const Index first = layers.begin * perLayer;
   const Index count = layers.Length() * perLayer;
-  LookUpExtinction(this->Tables, this->Exact, this->Unit, this->Scalars() + first, count, base);
+  LookUpExtinction(this->Tables, this->Exact, this->Unit, this->Scalars().From(first), count, base);
   if (const float* shares = this->Shares())
   {
     std::transform(shares + first, shares + first + count, base, base,

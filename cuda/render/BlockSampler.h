@@ -8,6 +8,7 @@
 
 #include "backend/Simd.h"
 #include "math/FloatLanes.h"
+#include "render/ScalarNodes.h"
 #include "render/SingleSampler.h"
 
 #include <cstring>
@@ -154,13 +155,15 @@ struct BlockSampler
     }
   }
 
+  /// `field`: floats, or ScalarNodes.
+  template <class Field>
   static LIMPID_INLINE FloatLanes InterpolateAll(
-    const CellGrid& grid, const float* field, const CellPlaces<BlockSampler>& place)
+    const CellGrid& grid, const Field& field, const CellPlaces<BlockSampler>& place)
   {
-    const NodePairs low(field, place.cell);
-    const NodePairs high(field + grid.stride[1], place.cell);
-    const NodePairs lowBehind(field + grid.stride[2], place.cell);
-    const NodePairs highBehind(field + grid.stride[1] + grid.stride[2], place.cell);
+    const NodePairs low(field, 0, place.cell);
+    const NodePairs high(field, grid.stride[1], place.cell);
+    const NodePairs lowBehind(field, grid.stride[2], place.cell);
+    const NodePairs highBehind(field, grid.stride[1] + grid.stride[2], place.cell);
     const FloatLanes nearLow = Blend(low.first, lowBehind.first, place.fraction[2]);
     const FloatLanes farLow = Blend(low.second, lowBehind.second, place.fraction[2]);
     const FloatLanes nearHigh = Blend(high.first, highBehind.first, place.fraction[2]);
@@ -217,13 +220,59 @@ private:
     FloatLanes first;
     FloatLanes second;
 
-    LIMPID_INLINE NodePairs(const float* field, const BlockCells& cells)
+    /// `shift`: from the first nodes of the cells to the first nodes of the pairs.
+    LIMPID_INLINE NodePairs(const float* field, Index shift, const BlockCells& cells)
     {
-      Load(field, cells.first, this->first.low, this->second.low);
-      Load(field, cells.first + 8, this->first.high, this->second.high);
+      Load(field + shift, cells.first, this->first.low, this->second.low);
+      Load(field + shift, cells.first + 8, this->first.high, this->second.high);
+    }
+
+    LIMPID_INLINE NodePairs(const ScalarNodes& field, Index shift, const BlockCells& cells)
+    {
+      if (field.Bits() == 32)
+      {
+        *this = NodePairs(field.Floats(), shift, cells);
+        return;
+      }
+      LoadIntegers(field, shift, cells.first, this->first.low, this->second.low);
+      LoadIntegers(field, shift, cells.first + 8, this->first.high, this->second.high);
     }
 
   private:
+    static LIMPID_INLINE void LoadIntegers(const ScalarNodes& field, Index shift,
+      const Index* cells, EightFloats& first, EightFloats& second)
+    {
+      alignas(32) std::uint32_t pairs[8];
+      if (field.Bits() == 16)
+      {
+        const auto* nodes = static_cast<const std::uint16_t*>(field.Memory()) + shift;
+        for (int i = 0; i < 8; ++i)
+        {
+          std::memcpy(&pairs[i], nodes + cells[i], sizeof(pairs[i]));
+        }
+      }
+      else
+      {
+        const auto* nodes = static_cast<const std::uint8_t*>(field.Memory()) + shift;
+        for (int i = 0; i < 8; ++i)
+        {
+          std::uint16_t pair = 0;
+          std::memcpy(&pair, nodes + cells[i], sizeof(pair));
+          pairs[i] = pair;
+        }
+      }
+      EightInts both;
+      std::memcpy(&both, pairs, sizeof(both));
+      // Without the highest bit, and as much higher, unsigned integers are signed ones.
+      const int bits = field.Bits();
+      const int highest = field.IsSigned() ? 0 : 1 << (bits - 1);
+      both ^= highest | (highest << bits);
+      first = __builtin_convertvector(both << (32 - bits) >> (32 - bits), EightFloats) +
+        float(highest);
+      second = __builtin_convertvector(both << (32 - 2 * bits) >> (32 - bits), EightFloats) +
+        float(highest);
+    }
+
     static LIMPID_INLINE void Load(
       const float* field, const Index* cells, EightFloats& first, EightFloats& second)
     {

@@ -78,7 +78,7 @@ struct ScalarRange
 struct RangeOfBrick
 {
   Int3 nodes;
-  const float* scalars;
+  ScalarNodes scalars;
   ScalarRange* ranges; ///< out
 
   LIMPID_HD void operator()(Index brick, int i, int j, int k) const
@@ -88,7 +88,7 @@ struct RangeOfBrick
       .Any(this->nodes,
         [&](Index node)
         {
-          range.Include(this->scalars[node]);
+          range.Include(this->scalars.At(node));
           return false;
         });
     this->ranges[brick] = range;
@@ -214,7 +214,7 @@ public:
 
   /// Computes the ranges of the scalars at the nodes of a grid, and where none of them is filled.
   /// `filled`: see ScalarField; null: all nodes are.
-  void SetScalars(const Int3& nodes, const float* scalars, const float* filled)
+  void SetScalars(const Int3& nodes, const ScalarNodes& scalars, const float* filled)
   {
     constexpr int size = BrickDistances::size;
     this->Nodes = nodes;

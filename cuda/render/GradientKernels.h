@@ -7,6 +7,7 @@
 #define limpid_render_GradientKernels_h
 
 #include "render/Classification.h"
+#include "render/ScalarNodes.h"
 
 #include <cmath>
 
@@ -16,14 +17,14 @@ namespace limpid
 struct ClassifiedNode
 {
   OpticalTable table;
-  const float* scalars;
+  ScalarNodes scalars;
   const float* filled; ///< null: all nodes are
   float majorant;      ///< unit of the result
   float* extinction;   ///< out [1/length], or [majorant] if that is 1
 
   LIMPID_HD void operator()(Index node) const
   {
-    const float all = this->table.At(this->table.axis.Position(this->scalars[node]))[0];
+    const float all = this->table.At(this->table.axis.Position(this->scalars.At(node)))[0];
     const float here = this->filled ? all * this->filled[node] : all;
     this->extinction[node] = here * this->majorant;
   }

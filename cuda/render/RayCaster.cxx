@@ -40,7 +40,7 @@ public:
   {
   }
 
-  void SetScalars(const DrawnPart& part, const float* scalars, const float* shares) override
+  void SetScalars(const DrawnPart& part, const ScalarNodes& scalars, const float* shares) override
   {
     ++this->Versions.scalars;
     RenderPasses::SetScalars(part, scalars, shares);

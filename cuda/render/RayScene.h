@@ -10,6 +10,7 @@
 #include "render/Classification.h"
 #include "render/OverlayGeometry.h"
 #include "render/RayLight.h"
+#include "render/ScalarNodes.h"
 #include "render/Trilinear.h"
 #include "scene/Structures.h"
 
@@ -18,7 +19,7 @@ namespace limpid
 struct RayScene
 {
   CellGrid grid;
-  const float* scalars = nullptr;
+  ScalarNodes scalars;
   const float* filled = nullptr; ///< see ScalarField; null: all nodes are
   OpticalTable table;
   const FourPacked* gradient = nullptr; ///< see PackedGradientNode; null: not lit

@@ -31,7 +31,7 @@ namespace limpid
  * them 4, and temporarily 8 for two new extinctions or for a new gradient. The sum is 32, plus 4
  * for the importance if missed structures are painted, plus 2 for the structures if they tint. At
  * 256^3 nodes this is 0.54 GB, plus 0.1 GB for the plan of the shadows. The processor reads scalars
- * and extinctions in place.
+ * and extinctions in place, integers of up to 16 bits among them.
  *
  * Memory traffic of a picture, counted: 1024^2 pixels, of which half see a box of 256^3 nodes, have
  * 92 M samples at the distance of the nodes if nothing is empty or opaque. A lit sample in an
@@ -52,11 +52,12 @@ public:
   {
   }
 
-  void SetScalars(const DrawnPart& part, const float* scalars, const float* shares) override
+  void SetScalars(const DrawnPart& part, const ScalarNodes& scalars, const float* shares) override
   {
     this->Part = part;
     const Grid& grid = part.Nodes();
     this->Scalars = {};
+    this->Floats = {};
     this->Filled = {};
     if (!grid.HasVolume())
     {
@@ -64,19 +65,12 @@ public:
     }
     const auto count = static_cast<std::size_t>(grid.NodeCount());
     ScalarField field(grid, scalars, shares);
-    if (field.mended.empty())
-    {
-      this->Scalars.Borrow(this->Device, field.values, count, "the scalars");
-    }
-    else
-    {
-      this->Scalars.Take(this->Device, std::move(field.mended), "the scalars");
-    }
+    this->TakeScalars(field, count);
     if (!field.filled.empty())
     {
       this->Filled.Take(this->Device, std::move(field.filled), "the empty nodes");
     }
-    this->Empty.SetScalars(grid.nodes, this->Scalars.Data(), this->Filled.Data());
+    this->Empty.SetScalars(grid.nodes, this->Scalars, this->Filled.Data());
   }
 
   void SetTransferFunctions(const Classification& classification) override
@@ -265,7 +259,7 @@ protected:
   {
     RayScene scene;
     scene.grid = CellGrid(this->Part.Nodes().nodes);
-    scene.scalars = this->Scalars.Data();
+    scene.scalars = this->Scalars;
     scene.filled = this->Filled.Data();
     scene.table = this->Table;
     scene.majorant = this->Functions.Majorant();
@@ -323,6 +317,25 @@ protected:
 private:
   using Field = DeviceArray<AnyDevice, float>;
   static constexpr const char* extinctionText = "the transfer function's extinction";
+
+  /// Reads scalars in place, unless some were mended or the device has to have them as floats.
+  void TakeScalars(ScalarField& field, std::size_t count)
+  {
+    const char* what = "the scalars";
+    if (!field.mended.empty())
+    {
+      this->Floats.Take(this->Device, std::move(field.mended), what);
+    }
+    else if (!AnyDevice::readsHostMemory && field.values.Bits() == 32)
+    {
+      this->Floats.Borrow(this->Device, field.values.Floats(), count, what);
+    }
+    else if (!AnyDevice::readsHostMemory)
+    {
+      this->Floats.Take(this->Device, FloatsOf(field.values, Index(count)), what);
+    }
+    this->Scalars = this->Floats.Empty() ? field.values : ScalarNodes(this->Floats.Data());
+  }
 
   /// Moves the shown extinction. If this fails, nothing is shown. `casts`: whether it casts the
   /// shadows.
@@ -440,7 +453,7 @@ private:
     const Index first = layers.begin * perLayer;
     const float* filled = this->Filled.Data();
     this->Device->ForIndices("classify", layers.Length() * perLayer,
-      ClassifiedNode{ this->Table, this->Scalars.Data() + first, filled ? filled + first : nullptr,
+      ClassifiedNode{ this->Table, this->Scalars.From(first), filled ? filled + first : nullptr,
         majorant, extinction });
   }
 
@@ -531,7 +544,8 @@ private:
 
   std::shared_ptr<AnyDevice> Device;
   DrawnPart Part; ///< nodes of the scalars; the whole on a GPU
-  BorrowedArray<AnyDevice, float> Scalars;
+  ScalarNodes Scalars;
+  BorrowedArray<AnyDevice, float> Floats; ///< those of Scalars, unless they are the caller's
   BorrowedArray<AnyDevice, float> Filled; ///< empty: all nodes are filled
 
   Classification Functions;

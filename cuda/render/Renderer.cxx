@@ -270,11 +270,11 @@ Renderer::~Renderer() = default;
 Renderer::Renderer(Renderer&&) noexcept = default;
 Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 
-void Renderer::SetScalars(const DrawnPart& part, const float* scalars, const float* shares)
+void Renderer::SetScalars(const DrawnPart& part, const ScalarNodes& scalars, const float* shares)
 {
   part.Whole().Require();
   LIMPID_REQUIRE(
-    scalars != nullptr, "There are no scalars (there is nothing to draw). Give an array.");
+    scalars.IsThere(), "There are no scalars (there is nothing to draw). Give an array.");
   Internals& state = *this->State;
   part.RequireOn(state.backend->IsDevice());
   ++state.changes;

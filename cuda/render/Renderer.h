@@ -7,6 +7,7 @@
 #include "math/Range.h"
 #include "methods/Method.h"
 #include "render/DrawnPart.h"
+#include "render/ScalarNodes.h"
 #include "scene/Grid.h"
 #include "scene/RaySource.h"
 #include "scene/Structures.h"
@@ -138,8 +139,9 @@ public:
 
   /**
    * Sets the scalars at the nodes of a grid, or of the part of it that this process has; NaN: an
-   * empty node. `shares`: the share of the transfer function's extinction that is kept at each node
-   * [0, 1]; null: everything. Both are copied.
+   * empty node. The array belongs to the caller and must stay valid. `shares`: the share of the
+   * transfer function's extinction that is kept at each node [0, 1], which is copied; null:
+   * everything.
    *
    * If several processes draw parts, all methods are collective, with equal arguments except
    * fields, and every process gets the whole pictures. A part must have at least two nodes along
@@ -147,7 +149,7 @@ public:
    * for half a segment, the rest of a cell, and gradients. Importance is not supported then, nor
    * are GPUs, nor compositing other than front to back.
    */
-  void SetScalars(const DrawnPart& part, const float* scalars, const float* shares = nullptr);
+  void SetScalars(const DrawnPart& part, const ScalarNodes& scalars, const float* shares = nullptr);
 
   /// Sets the transfer functions; call it again after changes.
   void SetTransferFunctions(const TransferFunctions& functions);

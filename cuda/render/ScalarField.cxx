@@ -37,14 +37,27 @@ float NeighbourMean(const Int3& nodes, const float* values, const Int3& at, floa
 }
 }
 
-ScalarField::ScalarField(const Grid& grid, const float* scalars, const float* shares)
-  : values(scalars)
+std::vector<float> FloatsOf(const ScalarNodes& scalars, Index count)
+{
+  std::vector<float> floats(static_cast<std::size_t>(count));
+  ParallelFor(count, 65536,
+    [&](Index node) { floats[std::size_t(node)] = scalars.At(node); });
+  return floats;
+}
+
+ScalarField::ScalarField(const Grid& grid, const ScalarNodes& nodes, const float* shares)
+  : values(nodes)
 {
   const Index count = grid.NodeCount();
   if (shares)
   {
     this->filled.assign(shares, shares + count);
   }
+  if (nodes.Bits() < 32)
+  {
+    return;
+  }
+  const float* scalars = nodes.Floats();
   const double bad = ParallelBlockSum(count,
     [&](Index begin, Index end)
     {

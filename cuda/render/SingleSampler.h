@@ -5,6 +5,7 @@
 #define limpid_render_SingleSampler_h
 
 #include "render/Classification.h"
+#include "render/ScalarNodes.h"
 #include "render/Trilinear.h"
 
 namespace limpid
@@ -78,6 +79,13 @@ struct SingleSampler
   {
     return InCell(
       grid, field + place.cell, place.fraction[0], place.fraction[1], place.fraction[2]);
+  }
+
+  /// Devices have floats.
+  LIMPID_HD static LIMPID_INLINE float InterpolateAll(
+    const CellGrid& grid, const ScalarNodes& field, const CellPlaces<SingleSampler>& place)
+  {
+    return InterpolateAll(grid, field.Floats(), place);
   }
 
   /// Interpolates packed numbers at the samples [packedOne].
