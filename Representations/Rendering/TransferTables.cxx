@@ -292,8 +292,8 @@ void LookUpExtinction(const TransferFunctions& functions, const ExactExtinction&
       {
         const float value = values.At(i);
         extinction[i] = std::isnan(value) ? 0.0F
-          : exact.ofValue ? static_cast<float>(exact.ofValue(unit.Back(value)))
-                          : lookUp(value);
+          : exact.ofValue                 ? static_cast<float>(exact.ofValue(unit.Back(value)))
+                                          : lookUp(value);
       }
     });
 }

@@ -445,8 +445,7 @@ void VolumeData::UpdateImportance(vtkImageData* image, const FieldSource& source
     this->Arrays.importance = nullptr;
     ++this->ImportanceChanges;
   }
-  const double ofFields =
-    (this->HasOwnScalars ? sizeof(float) : 0) + (drawn ? sizeof(float) : 0);
+  const double ofFields = (this->HasOwnScalars ? sizeof(float) : 0) + (drawn ? sizeof(float) : 0);
   const bool coarser =
     this->Part.IsWhole() && this->Control.Choose(settings, this->Part, ofFields).factor > 1;
   const bool needed =

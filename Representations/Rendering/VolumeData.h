@@ -176,14 +176,14 @@ private:
   ArrayKey ScalarsKey;
   CropRegion Crop;
   ValueUnit Unit;
-  FunctionRange UnitFunctions;    ///< at the time when the unit was chosen
-  bool UnitIsOfFunctions = false; ///< whether other functions would change the unit
-  double Low = 0;                 ///< smallest value of the data
-  double High = 0;                ///< largest value of the data
+  FunctionRange UnitFunctions;                ///< at the time when the unit was chosen
+  bool UnitIsOfFunctions = false;             ///< whether other functions would change the unit
+  double Low = 0;                             ///< smallest value of the data
+  double High = 0;                            ///< largest value of the data
   vtkSmartPointer<vtkDataArray> ScalarValues; ///< the array of the image where that is possible
   bool HasOwnScalars = false;                 ///< whether it is not
-  bool IsReleased = false;         ///< whether the scalars were, and are not there again
-  std::vector<float> ScalarShares; ///< see Shares
+  bool IsReleased = false;                    ///< whether the scalars were, and are not there again
+  std::vector<float> ScalarShares;            ///< see Shares
   ArrayKey ExtinctionKey;
   std::optional<float> ArrayUnit; ///< see ArrayExtinction; none: the functions define the
                                   ///< extinction

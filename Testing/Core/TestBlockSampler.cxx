@@ -8,6 +8,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstdint>
+#include <limits>
 #include <random>
 #include <vector>
 
@@ -167,6 +170,44 @@ TEST(BlockSampler, InterpolatesAsSingleSampler)
     { return SingleSampler::InterpolateAll(field.grid, field.numbers.data(), field.Place(i)); });
   ExpectInterpolatedAsAlone(field, field.fours, places);
   ExpectInterpolatedAsAlone(field, field.twos, places);
+}
+
+namespace
+{
+/// Scalars of all sizes among 6 x 5 x 7 nodes are interpolated as the same floats. The array ends
+/// with the last node, so that sanitizers see what is read beyond it.
+template <class Integer>
+void ExpectInterpolatedAsFloats()
+{
+  const Field field;
+  std::mt19937 random(7);
+  std::vector<Integer> integers(field.numbers.size());
+  std::generate(integers.begin(), integers.end(), [&] { return Integer(random()); });
+  integers.front() = std::numeric_limits<Integer>::max();
+  integers.back() = std::numeric_limits<Integer>::min();
+  const std::vector<float> floats(integers.begin(), integers.end());
+  CellPlaces<BlockSampler> places;
+  field.PlaceAll(places);
+  const ScalarNodes nodes(integers.data());
+  const FloatLanes all = BlockSampler::InterpolateAll(field.grid, nodes, places);
+  ExpectEach(all,
+    [&](int i)
+    { return SingleSampler::InterpolateAll(field.grid, floats.data(), field.Place(i)); });
+  for (std::size_t node = 0; node < floats.size(); ++node)
+  {
+    EXPECT_EQ(nodes.At(Index(node)), floats[node]);
+  }
+  EXPECT_EQ(nodes.From(3).At(1), floats[4]);
+  EXPECT_EQ(FloatsOf(nodes, Index(floats.size())), floats);
+}
+}
+
+TEST(BlockSampler, InterpolatesIntegersAsTheSameFloats)
+{
+  ExpectInterpolatedAsFloats<std::int8_t>();
+  ExpectInterpolatedAsFloats<std::uint8_t>();
+  ExpectInterpolatedAsFloats<std::int16_t>();
+  ExpectInterpolatedAsFloats<std::uint16_t>();
 }
 
 TEST(BlockSampler, LooksUpAsSingleSamplerInsideTheTableAndOutside)

@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <functional>
 #include <limits>
 #include <ostream>
@@ -402,6 +403,27 @@ TEST(RendererOfDevice, FollowsWhatChanges)
 
   scene.lighting.shadows = false;
   both.Do([&](Renderer& renderer) { renderer.SetLighting(scene.lighting); });
+  both.ExpectSamePicture(scene);
+}
+
+TEST(RendererOfDevice, TakesIntegersAsFloats)
+{
+  RenderScene scene = Ordinary();
+  std::vector<std::uint16_t> integers;
+  for (const float scalar : scene.scalars)
+  {
+    integers.push_back(std::uint16_t(65535 * std::min(std::max(scalar, 0.0f), 1.0f)));
+  }
+  scene.functions.low *= 65535;
+  scene.functions.high *= 65535;
+  Both both;
+  both.Do(
+    [&](Renderer& renderer)
+    {
+      scene.SetUp(renderer);
+      renderer.SetScalars(scene.grid, ScalarNodes(integers.data()));
+      renderer.SetTransferFunctions(scene.functions);
+    });
   both.ExpectSamePicture(scene);
 }
 

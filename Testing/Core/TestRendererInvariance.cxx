@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <cstdlib>
 #include <limits>
 #include <vector>
@@ -226,6 +227,43 @@ TEST(RendererInvariance, ThreadsDoNotChangeABit)
 
   EXPECT_EQ(pictures[0].rgba, pictures[1].rgba);
   EXPECT_EQ(pictures[0].rgba, pictures[2].rgba);
+}
+
+namespace
+{
+/// Integers give the picture of the same floats, with light and a change.
+template <class Integer>
+void ExpectPictureOfFloats(double scale)
+{
+  RenderScene scene = Balls();
+  scene.lighting.enabled = true;
+  ChangeSomewhere(scene);
+  std::vector<Integer> integers;
+  for (float& scalar : scene.scalars)
+  {
+    scalar = std::round(float(scale) * std::min(std::max(scalar, 0.0f), 1.0f));
+    integers.push_back(Integer(scalar));
+  }
+  scene.functions.low *= scale;
+  scene.functions.high *= scale;
+  const Picture expected = scene.Render();
+  Renderer renderer;
+  scene.SetUp(renderer);
+  renderer.SetScalars(scene.grid, ScalarNodes(integers.data()));
+  renderer.SetTransferFunctions(scene.functions);
+  renderer.SetExtinction(scene.changeGrid, scene.base.data(), scene.extinction.data());
+  Picture picture;
+  renderer.Render(scene.view, picture);
+  EXPECT_EQ(picture.rgba, expected.rgba);
+}
+}
+
+TEST(RendererInvariance, IntegersAreDrawnAsTheSameFloats)
+{
+  ExpectPictureOfFloats<std::int8_t>(127);
+  ExpectPictureOfFloats<std::uint8_t>(255);
+  ExpectPictureOfFloats<std::int16_t>(32767);
+  ExpectPictureOfFloats<std::uint16_t>(65535);
 }
 
 TEST(RendererInvariance, WhatWasDrawnBeforeDoesNotChangeABit)

@@ -380,7 +380,7 @@ class TestViews(MapperTest):
 
     def test_says_how_much_memory_is_missing_and_goes_on(self):
         self.assert_survives_lack_of_memory(
-            *show(), "160 x 160 x 160 points (about", "GiB are needed", "Resample To Image")
+            *show(), "210 x 210 x 210 points (about", "GiB are needed", "Resample To Image")
 
     def test_says_what_memory_the_optimization_lacks_and_draws_without(self):
         # Fields of 37 MB: up to 32 MiB, glibc may take them from what earlier pictures left.

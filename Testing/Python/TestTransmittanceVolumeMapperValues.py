@@ -200,6 +200,53 @@ class TestFunctions(MapperTest):
         self.assertLess(row[int(14.5 * pixel)], 2)
 
 
+class TestTypes(MapperTest):
+    """Values that are read where they are, and the same as doubles, which are converted."""
+
+    def pictures(self, type_, prepare=lambda mapper, image: None, **settings):
+        lowest = np.iinfo(type_).min if np.issubdtype(type_, np.integer) else -100
+        highest = np.iinfo(type_).max if np.issubdtype(type_, np.integer) else 155
+        scalars = np.round(lowest + (highest - lowest) * blob()).astype(type_)
+        middle = 0.7 * lowest + 0.3 * highest
+        functions = property_of(colors_of((lowest, 0.2, 0.3, 0.9), (highest, 0.9, 0.2, 0.1)),
+                                opacity_of((middle, 0), (highest, 0.5)), 1)
+        functions.ShadeOn()
+        importance = np.clip((blob() - 0.5) / 0.3, 0, 1)
+        for values in (scalars, scalars.astype(float)):
+            image = image_of(values.shape, scalars=values.ravel(), Importance=importance.ravel())
+            view, mapper = show(image, functions, **settings)
+            prepare(mapper, image)
+            self.frames_to_the_end(view, mapper)
+            self.assert_fine(view)
+            yield view.picture(), mapper.GetVisibilityScore()
+
+    def assert_alike(self, *args, **settings):
+        for type_ in (np.int8, np.uint8, np.int16, np.uint16, np.float32):
+            with self.subTest(type=type_.__name__):
+                (picture, score), (expected, expected_score) = self.pictures(type_, *args, **settings)
+                np.testing.assert_array_equal(picture, expected)
+                self.assertEqual(score, expected_score)
+                self.assertGreater(np.ptp(picture), 50)
+
+    def test_are_drawn_and_optimized_alike(self):
+        self.assert_alike()
+
+    def test_on_opengl(self):
+        self.assert_alike(DrawOn=Mapper.OPENGL)
+
+    def test_with_a_coarser_control_grid(self):
+        self.assert_alike(ControlResolution=Mapper.2)
+
+    def test_with_cropping(self):
+        def crop(mapper, _):
+            mapper.SetCroppingRegionPlanes(2, 13, 0, 16, 3, 16)
+            mapper.CroppingOn()
+        self.assert_alike(crop)
+
+    def test_with_blanked_points(self):
+        self.assert_alike(lambda _, image: image.BlankPoint(17 * 17 * 8 + 17 * 8 + 3))
+
+
 class TestValuesInPlace(MapperTest):
     """Programs write into arrays and modify the image alone."""
 

@@ -267,8 +267,8 @@ private:
       const int bits = field.Bits();
       const int highest = field.IsSigned() ? 0 : 1 << (bits - 1);
       both ^= highest | (highest << bits);
-      first = __builtin_convertvector(both << (32 - bits) >> (32 - bits), EightFloats) +
-        float(highest);
+      first =
+        __builtin_convertvector(both << (32 - bits) >> (32 - bits), EightFloats) + float(highest);
       second = __builtin_convertvector(both << (32 - 2 * bits) >> (32 - bits), EightFloats) +
         float(highest);
     }

@@ -40,7 +40,8 @@ public:
   virtual ~RenderBackend() = default;
 
   /// See Renderer. If the part has no volume, nothing else is called.
-  virtual void SetScalars(const DrawnPart& part, const ScalarNodes& scalars, const float* shares) = 0;
+  virtual void SetScalars(
+    const DrawnPart& part, const ScalarNodes& scalars, const float* shares) = 0;
 
   virtual void SetTransferFunctions(const Classification& classification) = 0;
 

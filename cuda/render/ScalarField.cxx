@@ -40,8 +40,7 @@ float NeighbourMean(const Int3& nodes, const float* values, const Int3& at, floa
 std::vector<float> FloatsOf(const ScalarNodes& scalars, Index count)
 {
   std::vector<float> floats(static_cast<std::size_t>(count));
-  ParallelFor(count, 65536,
-    [&](Index node) { floats[std::size_t(node)] = scalars.At(node); });
+  ParallelFor(count, 65536, [&](Index node) { floats[std::size_t(node)] = scalars.At(node); });
   return floats;
 }
 

@@ -14,11 +14,11 @@ namespace limpid
 /// The scalars of a volume, with a mask of empty nodes.
 struct ScalarField
 {
-  ScalarNodes values;            ///< finite
-  std::vector<float> mended;     ///< the values, if some were not finite: those are replaced by
-                                 ///< neighbours
-  std::vector<float> filled;     ///< 0 at those nodes, else the share that is kept; empty: all
-                                 ///< nodes are filled
+  ScalarNodes values;        ///< finite
+  std::vector<float> mended; ///< the values, if some were not finite: those are replaced by
+                             ///< neighbours
+  std::vector<float> filled; ///< 0 at those nodes, else the share that is kept; empty: all
+                             ///< nodes are filled
 
   ScalarField() = default;
   ScalarField(const Grid& grid, const ScalarNodes& nodes, const float* shares);
