@@ -8,7 +8,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cstdint>
 #include <limits>
 #include <random>
@@ -181,10 +180,12 @@ void ExpectInterpolatedAsFloats()
 {
   const Field field;
   std::mt19937 random(7);
-  std::vector<Integer> integers(field.numbers.size());
-  std::generate(integers.begin(), integers.end(), [&] { return Integer(random()); });
-  integers.front() = std::numeric_limits<Integer>::max();
-  integers.back() = std::numeric_limits<Integer>::min();
+  std::vector<Integer> integers{ std::numeric_limits<Integer>::max(),
+    std::numeric_limits<Integer>::min() };
+  while (integers.size() < field.numbers.size())
+  {
+    integers.push_back(Integer(random()));
+  }
   const std::vector<float> floats(integers.begin(), integers.end());
   CellPlaces<BlockSampler> places;
   field.PlaceAll(places);
