@@ -148,7 +148,7 @@ int vtkViewpointSearch::RequestData(
     this->State->Ranks =
       limpid::AllRanksUpdate(requested) ? limpid::MakeRanks() : limpid::ThisProcess();
     limpid::NotifyingOnFailure(
-      *this->State->Ranks, [&] { this->State->Search(inputVector, isLaterPiece, outputs); });
+      *this->State->Ranks, [&] { this->State->SearchAny(inputVector, isLaterPiece, outputs); });
     return 1;
   }
   catch (const limpid::Interrupted&)

@@ -6,9 +6,12 @@
 #include "Abort.h"
 #include "AllCores.h"
 #include "Choices.h"
+#include "InputArrays.h"
 #include "OptimizedViews.h"
+#include "SampledData.h"
 #include "SearchReport.h"
 #include "SettingsConversion.h"
+#include "StructureLabels.h"
 #include "Vectors.h"
 #include "ViewpointData.h"
 
@@ -132,6 +135,30 @@ auto vtkViewpointSearch::Internals::Interruptibly(const Function& function) cons
 {
   const limpid::Interruptible interruptible(limpid::GoOn(this->Self));
   return function();
+}
+
+// Searches round any data, of which a process alone makes an image.
+void vtkViewpointSearch::Internals::SearchAny(
+  vtkInformationVector** inputVector, bool isLaterPiece, vtkPolyData* const outputs[3])
+{
+  vtkDataObject* data = vtkDataObject::GetData(inputVector[0]);
+  const bool isImage = !data || vtkImageData::SafeDownCast(data);
+  if (isImage || !this->Ranks->IsAlone())
+  {
+    this->Search(inputVector, isLaterPiece, outputs);
+    return;
+  }
+  if (isLaterPiece)
+  {
+    return;
+  }
+  limpid::DataSampling sampling;
+  sampling.labels = { limpid::ChosenName(this->Self, limpid::structureArray) };
+  const limpid::SampledData sampled = limpid::SampleData(data, sampling);
+  const vtkSmartPointer<vtkInformationVector> image =
+    limpid::WithImage(inputVector[0], sampled.image);
+  vtkInformationVector* inputs = image;
+  this->Search(&inputs, isLaterPiece, outputs);
 }
 
 void vtkViewpointSearch::Internals::Search(

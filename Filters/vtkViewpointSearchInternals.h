@@ -38,6 +38,8 @@ struct vtkViewpointSearch::Internals
   /// ranks share the samples, this rank scores some of them for the first piece; if they share the
   /// image, all ranks score together.
   void Search(vtkInformationVector** inputVector, bool isLaterPiece, vtkPolyData* const outputs[3]);
+  void SearchAny(
+    vtkInformationVector** inputVector, bool isLaterPiece, vtkPolyData* const outputs[3]);
 
   void RequirePossibleSettings() const;
   void WarnOfSceneWithoutScore(const limpid::PreparedScene& scene) const;

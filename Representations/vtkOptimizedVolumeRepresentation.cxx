@@ -5,7 +5,10 @@
 
 #include "CapturedView.h"
 #include "Choices.h"
+#include "InputArrays.h"
+#include "Memory.h"
 #include "ScoreText.h"
+#include "StructureLabels.h"
 #include "vtkOptimizedVolumeRepresentationInternals.h"
 
 #include "vtkCommand.h"
@@ -21,6 +24,10 @@
 #include "vtkRenderer.h"
 #include "vtkVolumeCollection.h"
 #include "vtkVolumeProperty.h"
+
+#include <array>
+#include <exception>
+#include <sstream>
 
 vtkStandardNewMacro(vtkOptimizedVolumeRepresentation);
 vtkStandardNewMacro(vtkRepresentedVolumeMapper);
@@ -69,9 +76,12 @@ vtkOptimizedVolumeRepresentation::vtkOptimizedVolumeRepresentation()
       const bool speaks = !this->Others() || this->Others()->GetLocalProcessId() == 0;
       const bool isSaved = state.View && limpid::IsCaptured(state.View);
       const bool isWanted = state.ShowScore && (!isSaved || state.ScoreInScreenshots);
-      return speaks && isWanted && (state.Mapper->HasDrawn || this->HasSomethingToDraw())
-        ? limpid::ScoreText(state.Mapper, state.Mapper->HasDrawn, name)
+      const bool hasDrawn = state.Mapper->HasDrawn;
+      std::string text = speaks && isWanted && (hasDrawn || this->HasSomethingToDraw())
+        ? limpid::ScoreText(state.Mapper, hasDrawn, name)
         : std::string();
+      text += text.empty() || state.Sampled.text.empty() ? "" : "\n" + state.Sampled.text;
+      return text;
     });
   this->State->Annotation->SetLegendSource(
     [this]()
@@ -104,16 +114,71 @@ vtkOptimizedVolumeRepresentation::~vtkOptimizedVolumeRepresentation()
   this->State->Annotation->SetStructureSource(nullptr);
 }
 
+int vtkOptimizedVolumeRepresentation::FillInputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObject");
+  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  return 1;
+}
+
+// Samples input that is no image, unless that was done. Returns why it cannot be drawn; empty if it
+// can.
+std::string vtkOptimizedVolumeRepresentation::Sample(vtkDataObject* input)
+{
+  Internals& state = *this->State;
+  if (!input || vtkImageData::SafeDownCast(input))
+  {
+    state.Sampled = {};
+    return {};
+  }
+  if (this->Others())
+  {
+    state.Sampled = {};
+    return limpid::RefusalOf(input, "on several processes, Optimized Volume draws");
+  }
+  limpid::DataSampling sampling;
+  sampling.dimensions = state.ImageDimensions;
+  sampling.labels = { limpid::ChosenName(this, limpid::structureArray) };
+  std::ostringstream of;
+  of << input->GetMTime() << ' ' << *sampling.labels.begin();
+  for (const int points : sampling.dimensions)
+  {
+    of << ' ' << points;
+  }
+  if (state.Sampled.image && of.str() == state.SampledOf)
+  {
+    return {};
+  }
+  state.Sampled = {};
+  try
+  {
+    state.Sampled = limpid::SampleData(input, sampling);
+    state.SampledOf = of.str();
+    return {};
+  }
+  catch (const std::exception& error)
+  {
+    vtkImageData* none = nullptr;
+    return limpid::MessageOf(error, none, limpid::MemoryNeed{ 100, limpid::fewerPoints });
+  }
+}
+
 int vtkOptimizedVolumeRepresentation::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkDataObject* input = inputVector[0]->GetNumberOfInformationObjects() > 0
     ? vtkDataObject::GetData(inputVector[0], 0)
     : nullptr;
-  this->State->Refusal = limpid::RefusalOf(input, "Optimized Volume draws");
+  this->State->Refusal = this->Sample(input);
   if (this->State->Refusal.empty())
   {
-    const int result = this->Superclass::RequestData(request, inputVector, outputVector);
+    vtkSmartPointer<vtkInformationVector> image = inputVector[0];
+    if (this->State->Sampled.image)
+    {
+      image = limpid::WithImage(inputVector[0], this->State->Sampled.image);
+    }
+    vtkInformationVector* inputs = image;
+    const int result = this->Superclass::RequestData(request, &inputs, outputVector);
     this->State->Mapper->SetWholeExtent(this->WholeExtent);
     return result;
   }

@@ -3,11 +3,13 @@
 
 /**
  * @class   vtkOptimizedVolumeRepresentation
- * @brief   shows image data so that important structures inside are visible
+ * @brief   shows volumes so that important structures inside are visible
  *
  * The representation type "Optimized Volume" of ParaView: a vtkTransmittanceVolumeMapper with the
  * display's color map, opacity function, unit distance, transformation and cropping, and a text in
  * the view that says how much of the important structures can be seen.
+ *
+ * Data that are no image are sampled, see SetImageDimensions: what is in no cell is empty.
  *
  * Each view has its own representation of a data set, hence its own optimisation.
  *
@@ -35,6 +37,7 @@
 
 class vtkColorTransferFunction;
 class vtkDataArray;
+class vtkDataObject;
 class vtkDoubleArray;
 class vtkImageData;
 class vtkMultiProcessController;
@@ -89,6 +92,14 @@ public:
 
   /// The methods of vtkVisibilitySettings, see there.
   LIMPID_FORWARD_VISIBILITY_SETTINGS();
+
+  /**
+   * Number of points along each axis at which input that is not an image is sampled; 0: as many as
+   * make the image as fine as the data, or as fit into memory. Default is 0, 0, 0. Images are not
+   * sampled. GetSampledAt returns what was chosen, as a text; empty for images.
+   */
+  void SetImageDimensions(int x, int y, int z);
+  const char* GetSampledAt();
 
   /**
    * When and how to optimise.
@@ -251,6 +262,7 @@ protected:
   vtkOptimizedVolumeRepresentation();
   ~vtkOptimizedVolumeRepresentation() override;
 
+  int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
   void UpdateMapperParameters() override;
@@ -259,6 +271,7 @@ protected:
 
 private:
   bool HasSomethingToDraw();
+  std::string Sample(vtkDataObject* input);
   void BeginFrame(vtkObject* renderer, unsigned long event, void* data);
   void EndFrame(vtkObject* renderer, unsigned long event, void* data);
   vtkDataArray* ApplyScalars(vtkImageData* image, std::vector<std::string>& messages);

@@ -5,6 +5,7 @@
 #define vtkOptimizedVolumeRepresentationInternals_h
 
 #include "ArrayContents.h"
+#include "SampledData.h"
 #include "vtkOptimizedVolumeRepresentation.h"
 #include "vtkScoreAnnotation.h"
 #include "vtkTransmittanceVolumeMapper.h"
@@ -83,6 +84,10 @@ struct vtkOptimizedVolumeRepresentation::Internals
   bool Interpolates = true;
 
   vtkNew<vtkDoubleArray> StructureShares;
+
+  limpid::SampledData Sampled; // an image of input that is none
+  std::string SampledOf;       // what it was made of
+  std::array<int, 3> ImageDimensions = {};
 
   std::string Refusal;                  // why the input cannot be drawn; empty if it can
   std::vector<unsigned long> Observers; // tags of observers of the renderer's frames

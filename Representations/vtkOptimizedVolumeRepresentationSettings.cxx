@@ -8,6 +8,9 @@
 #include "vtkTable.h"
 #include "vtkVariant.h"
 
+#include <algorithm>
+#include <array>
+
 // Forwards SetName(value) to a method of the mapper.
 #define LIMPID_FORWARD_AS(name, mapperName, type)                                                  \
   void vtkOptimizedVolumeRepresentation::Set##name(type value)                                     \
@@ -112,6 +115,21 @@ void vtkOptimizedVolumeRepresentation::SetShowScore(int show)
 void vtkOptimizedVolumeRepresentation::SetScoreInScreenshots(int show)
 {
   this->State->ScoreInScreenshots = show != 0;
+}
+
+void vtkOptimizedVolumeRepresentation::SetImageDimensions(int x, int y, int z)
+{
+  const std::array<int, 3> dimensions{ { std::max(x, 0), std::max(y, 0), std::max(z, 0) } };
+  if (dimensions != this->State->ImageDimensions)
+  {
+    this->State->ImageDimensions = dimensions;
+    this->MarkModified();
+  }
+}
+
+const char* vtkOptimizedVolumeRepresentation::GetSampledAt()
+{
+  return this->State->Sampled.text.c_str();
 }
 
 void vtkOptimizedVolumeRepresentation::SetStructureLegend(int show)

@@ -7,7 +7,7 @@
 
 writes OUTPUT, if that changes it: TEMPLATE, in which lines with a mark, @limpid_...@, and elements
 of the server manager's XML, such as Setting, are replaced by what the table has for them: see MARKS
-and ELEMENTS. In a page, what stands between <!-- limpid_... --> and <!-- end --> is replaced, so
+and ELEMENTS. An extension of several proxies is repeated for each. In a page, what stands between <!-- limpid_... --> and <!-- end --> is replaced, so
 that the page is its own template.
 """
 
@@ -411,6 +411,18 @@ def names(attributes, settings):
 ELEMENTS = {"Setting": one, "Settings": several, "SettingNames": names}
 
 
+def repeated(extension):
+    """An extension for each of the proxies that it names, <Extension name="A B">: without elements
+    that are not for all of them, <Property name="Shade" only="B"/>, where they are not."""
+    def of(proxy):
+        text = extension.group().replace(f'name="{extension.group(1)}"', f'name="{proxy}"', 1)
+        text = re.sub(r'^( *)<(\w+)[^>]* only="([^"]*)"(?:/>|>.*?^\1</\2>)\n',
+                      lambda part: part.group() if proxy in part.group(3).split() else "", text,
+                      flags=re.M | re.S)
+        return re.sub(r'\s+only="[^"]*"', "", text)
+    return "".join(of(proxy) for proxy in extension.group(1).split())
+
+
 def filled(template, settings):
     """The text of a template with all that the table has for it."""
     def with_indent(use):
@@ -418,6 +430,8 @@ def filled(template, settings):
         return "\n".join(indent + text for text in
                          ELEMENTS[kind](attributes_of(attributes), settings))
 
+    template = re.sub(r'^ *<Extension name="([^"]* [^"]*)">.*?</Extension>\n', repeated, template,
+                      flags=re.M | re.S)
     text = re.sub(rf"^( *)<({'|'.join(ELEMENTS)})\b([^>]*)/>$", with_indent, template, flags=re.M)
     text = re.sub(r"(?<=^<!-- limpid_)(\w+)( -->\n).*?(?=^<!-- end -->)",
                   lambda mark: f"{mark.group(1)}{mark.group(2)}{MARKS[mark.group(1)](settings)}\n",

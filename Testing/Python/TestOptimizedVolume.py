@@ -86,11 +86,9 @@ class TestOptimizedVolume(displays.DisplayTest):
              "AttainableLightScore", "Converged"},
             set(display.ListProperties()))
 
-    def test_is_for_image_data_only(self):
-        for source in (simple.Sphere(), simple.UnstructuredCellTypes()):
-            display = simple.Show(source, self.view)
-            self.assertNotIn(
-                "Optimized Volume", display.GetProperty("Representation").GetAvailable())
+    def test_is_not_for_surfaces(self):
+        display = simple.Show(simple.Sphere(), self.view)
+        self.assertNotIn("Optimized Volume", display.GetProperty("Representation").GetAvailable())
 
     def test_shares_the_properties_that_surfaces_have_too(self):
         display = self.shown(OcclusionPhantom(Resolution=24))
@@ -390,7 +388,7 @@ class TestOptimizedVolume(displays.DisplayTest):
 
         self.assert_draws(display, "CUDA")
 
-    def test_refuses_a_rectilinear_grid_in_words(self):
+    def test_samples_a_rectilinear_grid(self):
         grid = simple.ProgrammableSource(OutputDataSetType="vtkRectilinearGrid", Script="""
 import numpy as np
 from paraview.vtk.util.numpy_support import numpy_to_vtk
@@ -406,19 +404,19 @@ self.GetOutputInformation(0).Set(vtk.vtkStreamingDemandDrivenPipeline.WHOLE_EXTE
 """)
         display = self.shown(grid)
 
-        self.assert_draws(display, "Resample To Image")  # an outline
+        self.assert_draws(display)
+        display.UpdatePropertyInformation()
+        self.assertEqual(display.SampledAt, "sampled at 5 x 5 x 5 points")
 
-    def test_refuses_several_blocks_in_words(self):
-        blocks = simple.GroupDatasets(Input=[simple.Wavelet(), OcclusionPhantom(Resolution=16)])
-        blocks.UpdatePipeline()
-        display = simple.Show(blocks, self.view)
-        if "Optimized Volume" not in display.GetProperty("Representation").GetAvailable():
-            self.skipTest("ParaView does not offer it for blocks")
-        display.SetRepresentationType("Optimized Volume")
+    def test_samples_several_blocks(self):
+        sides = [simple.Wavelet(WholeExtent=[*along, -10, 10, -10, 10]) for along in ((-10, 0), (0, 10))]
+        display = self.shown(simple.GroupDatasets(Input=sides))
 
-        self.assert_draws(display, "Extract Block")
+        self.assert_draws(display)
+        display.UpdatePropertyInformation()
+        self.assertEqual(display.SampledAt, "sampled at 21 x 21 x 21 points")
 
-    def test_takes_an_image_that_replaces_a_refused_input(self):
+    def test_takes_an_image_that_replaces_other_data(self):
         blocks = simple.GroupDatasets(Input=[simple.Wavelet()])
         blocks.UpdatePipeline()
         display = self.shown(OcclusionPhantom(Resolution=16))

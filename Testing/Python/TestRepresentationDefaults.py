@@ -14,7 +14,7 @@ from limpid.vtkLimpidRendering import vtkTransmittanceVolumeMapper as Mapper
 
 XML = os.path.join(os.environ["LIMPID_XML"], "LimpidRepresentations.xml")
 # Of the representation itself.
-NOT_OF_THE_MAPPER = {"ShowScore", "ScoreInScreenshots", "StructureLegend"}
+NOT_OF_THE_MAPPER = {"ImageDimensions", "ShowScore", "ScoreInScreenshots", "StructureLegend"}
 
 
 def properties():

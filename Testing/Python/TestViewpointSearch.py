@@ -8,7 +8,7 @@ import unittest
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkImageData, vtkUnstructuredGrid
-from vtkmodules.vtkFiltersCore import vtkFeatureEdges
+from vtkmodules.vtkFiltersCore import vtkAppendFilter, vtkFeatureEdges
 
 from limpid.vtkLimpidFilters import vtkExtinctionOptimizer, vtkViewpointSearch
 
@@ -812,7 +812,7 @@ class TestDegenerateInput(SearchTest):
     def test_data_of_other_kinds_and_parts_of_images_are_refused(self):
         result = search(vtkUnstructuredGrid())
         executive = caught(result.GetExecutive())
-        self.assert_refuses("vtkUnstructuredGrid", "Resample To Image", filter_=result)
+        self.assert_refuses("vtkUnstructuredGrid", "no volume", filter_=result)
         self.assertEqual(len(executive), 1, executive)  # that the request has failed
         part = PartOf(phantom(12), (0, 11, 0, 11, 0, 8))
         self.assert_refuses("0..11 0..11 0..8", "uninitialized",
@@ -837,10 +837,15 @@ class TestDegenerateInput(SearchTest):
     def test_no_points_are_refused(self):
         self.assert_refuses("no points", filter_=search(vtkImageData()))
 
-    def test_composite_data_are_refused_whole(self):
-        blocks = blocks_of(phantom(12), phantom(12))
-        self.assert_refuses("vtkMultiBlockDataSet", "Extract Block", "Merge Blocks",
-                            "Resample To Image", filter_=search(blocks))
+    def test_other_data_are_sampled(self):
+        expected = self.run_filter(phantom(24))
+        meshes = vtkAppendFilter()
+        meshes.SetInputData(phantom(24))
+        meshes.Update()
+        for data in (meshes.GetOutput(), blocks_of(phantom(24), phantom(24))):
+            result = self.run_filter(data)
+            np.testing.assert_allclose(values(result.GetOutput(), "VisibilityScore"),
+                                       values(expected.GetOutput(), "VisibilityScore"), rtol=1e-3)
 
     def test_the_smallest_volume_has_scores(self):
         image = image_on(2, Importance=np.ones(8), BaseExtinction=np.ones(8))

@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: Copyright (c) Limpid developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Images of data whose points are not uniformly spaced.
+
+#ifndef limpid_SampledData_h
+#define limpid_SampledData_h
+
+#include "vtkLimpidFiltersModule.h" // for export macro
+#include "vtkSmartPointer.h"
+#include "vtkType.h"
+
+#include <array>
+#include <set>
+#include <string>
+
+class vtkDataObject;
+class vtkImageData;
+class vtkInformationVector;
+
+namespace limpid
+{
+/// How to sample data.
+struct DataSampling
+{
+  std::array<int, 3> dimensions{ { 0, 0, 0 } }; ///< points along each axis; 0: see SampleData
+  vtkIdType mostPoints = 0;     ///< for dimensions that are chosen; 0: as memory allows
+  std::set<std::string> labels; ///< point arrays that are never interpolated
+};
+
+/// An image of data.
+struct SampledData
+{
+  vtkSmartPointer<vtkImageData> image;
+  std::string text; ///< such as "sampled at 100 x 80 x 60 points"
+};
+
+/**
+ * Samples a data set, or all those of a collection, at the points of an image over their bounds.
+ * Point arrays are interpolated in the cells, those of labels taken from the nearest point; cell
+ * arrays have the values of the cells in which the cells of the image have their centres. Points
+ * that are in no cell, or in cells that are blanked, are blanked (vtkGhostType). Of overlapping
+ * data, the finest level of an AMR and otherwise the first block counts.
+ *
+ * Dimensions that are not given are such that the image is as fine as the data: the distance of
+ * points along an axis is the median of the cells' extents along it, on the finest level of an
+ * AMR; or larger, if the image would have too many points.
+ *
+ * Throws limpid::Error if no cell has a volume.
+ */
+VTKLIMPIDFILTERS_EXPORT SampledData SampleData(vtkDataObject* data, const DataSampling& sampling);
+
+/// Returns the information of an input port with an image in place of its data.
+VTKLIMPIDFILTERS_EXPORT vtkSmartPointer<vtkInformationVector> WithImage(
+  vtkInformationVector* input, vtkImageData* image);
+}
+
+#endif

@@ -1,0 +1,161 @@
+# SPDX-FileCopyrightText: Copyright (c) Limpid developers
+# SPDX-License-Identifier: BSD-3-Clause
+
+# "Optimized Volume" of data that are no image: sampled as fine as their cells, empty outside.
+
+import os
+
+import numpy as np
+from paraview import simple
+
+import displays
+import pictures
+import runner
+
+simple.LoadPlugin(os.environ["LIMPID_PLUGIN"], remote=False, ns=vars(simple))
+
+RESOLUTION = 32
+RECTILINEAR = """
+import vtk
+image = inputs[0].VTKObject
+output.VTKObject.SetDimensions(image.GetDimensions())
+for axis, name in enumerate("XYZ"):
+    along = vtk.vtkDoubleArray()
+    for i in range(image.GetDimensions()[axis]):
+        along.InsertNextValue(image.GetOrigin()[axis] + i * image.GetSpacing()[axis])
+    getattr(output.VTKObject, "Set" + name + "Coordinates")(along)
+output.VTKObject.GetPointData().ShallowCopy(image.GetPointData())
+"""
+EXTENT = "from paraview.util import SetOutputWholeExtent\nSetOutputWholeExtent(self, [0, {0}, 0, {0}, 0, {0}])"
+
+
+def rectilinear(image):
+    return simple.ProgrammableFilter(
+        Input=image, OutputDataSetType="vtkRectilinearGrid", Script=RECTILINEAR,
+        RequestInformationScript=EXTENT.format(RESOLUTION - 1))
+
+
+def two_blocks(image):
+    return simple.GroupDatasets(Input=[
+        simple.ExtractSubset(Input=image, VOI=[*along, 0, 31, 0, 31]) for along in ((0, 16), (16, 31))])
+
+
+class TestAnyData(displays.DisplayTest):
+    def shown(self, source, array=("POINTS", "Scalars"), **settings):
+        """The display of a source, and its picture."""
+        display = displays.show(source, self.view, array=array)
+        for name, value in settings.items():
+            setattr(display, name, value)
+        picture = pictures.take(self.view)
+        display.UpdatePropertyInformation()
+        simple.Hide(source, self.view)
+        return display, picture
+
+    def test_of_the_same_field_is_like_the_image(self):
+        image = simple.OcclusionPhantom(Resolution=RESOLUTION)
+        expected, picture = self.shown(image)
+        self.assertEqual(expected.SampledAt, "")
+        for name, source in {
+                "rectilinear grid": rectilinear(image),
+                "structured grid": simple.Transform(Input=image),
+                "hexahedra": simple.AppendDatasets(Input=[image]),
+                "tetrahedra": simple.Tetrahedralize(Input=image),
+                "images in blocks": two_blocks(image),
+                "meshes in blocks": simple.GroupDatasets(
+                    Input=[simple.AppendDatasets(Input=[image]), simple.Tetrahedralize(Input=image)])}.items():
+            with self.subTest(name):
+                display, same = self.shown(source)
+                self.assertEqual(display.SampledAt, "sampled at 32 x 32 x 32 points")
+                self.assertEqual(display.Messages, "")
+                self.assertAlmostEqual(display.VisibilityScore / expected.VisibilityScore, 1, delta=0.005)
+                self.assertAlmostEqual(display.VisibleFraction / expected.VisibleFraction, 1, delta=0.005)
+                self.assertLess(abs(same - picture).mean(), 1)
+
+    def test_arrays_of_cells(self):
+        image = simple.OcclusionPhantom(Resolution=RESOLUTION)
+        cells = simple.PointDatatoCellData(Input=image)
+        meshes = simple.AppendDatasets(Input=[cells])
+        expected, picture = self.shown(cells, ("CELLS", "Scalars"))
+        display, same = self.shown(meshes, ("CELLS", "Scalars"))
+        self.assertEqual(display.Messages, "")
+        self.assertAlmostEqual(display.VisibilityScore / expected.VisibilityScore, 1, delta=0.005)
+        self.assertLess(abs(same - picture).mean(), 1)
+
+    def test_labels_are_not_interpolated(self):
+        image = simple.OcclusionPhantom(Resolution=RESOLUTION)
+        labels = simple.Calculator(Input=image, ResultArrayName="Labels", Function="4*round(Importance)")
+        settings = {"StructureArray": ["POINTS", "Labels"], "Structures": ["4", "core", "1", ""]}
+        expected, _ = self.shown(labels, **settings)
+        display, _ = self.shown(simple.AppendDatasets(Input=[labels]), **settings)
+        self.assertEqual(display.Messages, "")
+        np.testing.assert_allclose(display.VisibleFraction, expected.VisibleFraction, rtol=0.01)
+
+    def test_outside_of_all_cells_there_is_nothing(self):
+        image = simple.OcclusionPhantom(Resolution=RESOLUTION)
+        meshes = simple.AppendDatasets(Input=[image])
+        ball = simple.Clip(Input=meshes, ClipType="Sphere")
+        ball.ClipType.Center = [0, 0, 0]
+        ball.ClipType.Radius = 0.5
+        everywhere = simple.GetOpacityTransferFunction("Scalars")
+        display = displays.show(ball, self.view)
+        everywhere.Points = [0, 0.3, 0.5, 0, 1, 0.3, 0.5, 0]
+        display.Optimization = "Off"
+        self.view.CameraPosition = [0, 0, -6]
+        self.view.CameraViewUp = [0, 1, 0]
+        self.view.CameraViewAngle = 30
+        picture = pictures.take(self.view)
+        seen = abs(picture - picture[2, 2]).max(axis=2) > 8
+        across = np.ptp(np.flatnonzero(seen.any(axis=0))) + 1
+        # The ball is as wide as 0.5 of 6 in a view of 30 degrees and 200 pixels, and a cell more.
+        expected = 200 * 0.5 / np.sqrt(6 ** 2 - 0.5 ** 2) / np.tan(np.radians(15))
+        cell = 200 * (2 / (RESOLUTION - 1)) / 6 / (2 * np.tan(np.radians(15)))
+        self.assertAlmostEqual(across, expected, delta=2 * cell)
+
+    def test_trees_and_levels(self):
+        for source in (simple.HyperTreeGridRandom(), simple.AMRGaussianPulseSource(Dimension=3)):
+            source.UpdatePipeline()
+            array = [name for name in source.CellData.keys() if not name.startswith("vtk")][-1]
+            display = simple.Show(source, self.view)
+            display.SetRepresentationType("Optimized Volume")
+            simple.ColorBy(display, ("CELLS", array))
+            simple.ResetCamera(self.view)
+            picture = pictures.take(self.view)
+            self.assertGreater(picture.std(axis=(0, 1)).max(), 5)
+            display.UpdatePropertyInformation()
+            self.assertTrue(display.SampledAt.startswith("sampled at "), display.SampledAt)
+            self.assertEqual(display.Messages, "")
+            simple.Delete(source)
+
+    def test_dimensions_that_are_given(self):
+        meshes = simple.AppendDatasets(Input=[simple.OcclusionPhantom(Resolution=RESOLUTION)])
+        display, fine = self.shown(meshes)
+        display, coarse = self.shown(meshes, ImageDimensions=[20, 0, 16])
+        self.assertEqual(display.SampledAt, "sampled at 20 x 32 x 16 points; 32 x 32 x 32 would be as fine as the data")
+        self.assertGreater(abs(coarse - fine).mean(), 0.1)
+        display, again = self.shown(meshes, ImageDimensions=[0, 0, 0])
+        self.assertLess(abs(again - fine).mean(), 0.1)
+
+    def test_data_without_a_volume_say_so(self):
+        display = displays.show(simple.AppendDatasets(Input=[simple.Sphere()]), self.view, array=("POINTS", "Normals"))
+        pictures.take(self.view)
+        display.UpdatePropertyInformation()
+        self.assertIn("vtkUnstructuredGrid whose cells have no volume", display.Messages)
+
+    def test_changed_data_are_sampled_again(self):
+        phantom = simple.OcclusionPhantom(Resolution=RESOLUTION)
+        meshes = simple.AppendDatasets(Input=[phantom])
+        self.shown(meshes)
+        phantom.Resolution = 24
+        display, _ = self.shown(meshes)
+        self.assertEqual(display.SampledAt, "sampled at 24 x 24 x 24 points")
+
+    def test_survive_a_state(self):
+        meshes = simple.AppendDatasets(Input=[simple.OcclusionPhantom(Resolution=RESOLUTION)])
+        displays.show(meshes, self.view, array=("POINTS", "Scalars")).ImageDimensions = [25, 25, 25]
+        before = pictures.take(self.view)
+        view = displays.through_a_state()
+        np.testing.assert_allclose(pictures.take(view), before, atol=2)
+
+
+if __name__ == "__main__":
+    runner.run()
