@@ -3,136 +3,47 @@
 
 #include "SampledData.h"
 
-#include "AllCores.h"
+#include "LatticeSamples.h"
 #include "Memory.h"
-#include "ScalarMapping.h"
 
 #include "vtkBoundingBox.h"
-#include "vtkCell.h"
 #include "vtkCellData.h"
-#include "vtkCharArray.h"
-#include "vtkCompositeDataIterator.h"
-#include "vtkCompositeDataSet.h"
-#include "vtkDataSet.h"
 #include "vtkDataSetAttributes.h"
-#include "vtkHyperTreeGrid.h"
-#include "vtkHyperTreeGridToUnstructuredGrid.h"
-#include "vtkIdList.h"
+#include "vtkExtentTranslator.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
-#include "vtkProbeFilter.h"
-#include "vtkStaticPointLocator.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
-#include "vtkUniformGrid.h"
-#include "vtkUniformGridAMR.h"
 #include "vtkUnsignedCharArray.h"
 
 #include "backend/PhysicalMemory.h"
+#include "distributed/Communicator.h"
 #include "math/Require.h"
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <sstream>
+#include <utility>
 #include <vector>
 
 namespace limpid
 {
 namespace
 {
-using Leaf = vtkSmartPointer<vtkDataSet>;
-
-const char* const Mask = "vtkValidPointMask"; // vtkProbeFilter's
-const char* const Hidden = "LimpidHidden";    // cells that are blanked
-
 // The box of an image is smaller than that of the data by this share of it on each side, since
 // points on the border may be outside by rounding.
 constexpr double Border = 1e-6;
 
-vtkSmartPointer<vtkDataSet> AsDataSet(vtkDataObject* object)
+// What all processes know of the data.
+struct WholeData
 {
-  if (auto* trees = vtkHyperTreeGrid::SafeDownCast(object))
-  {
-    vtkNew<vtkHyperTreeGridToUnstructuredGrid> cells;
-    cells->SetInputData(trees);
-    cells->Update();
-    return vtkDataSet::SafeDownCast(cells->GetOutput());
-  }
-  return vtkDataSet::SafeDownCast(object);
-}
-
-bool IsFilled(vtkDataSet* leaf)
-{
-  return leaf && leaf->GetNumberOfPoints() > 0 && leaf->GetNumberOfCells() > 0;
-}
-
-// Returns the data sets, in the order in which they count: those of the finest level first.
-std::vector<Leaf> LeavesOf(vtkDataObject* data)
-{
-  std::vector<Leaf> leaves;
-  const auto add = [&leaves](vtkDataObject* object)
-  {
-    const Leaf leaf = AsDataSet(object);
-    if (IsFilled(leaf))
-    {
-      leaves.push_back(leaf);
-    }
-  };
-  if (auto* levels = vtkUniformGridAMR::SafeDownCast(data))
-  {
-    for (unsigned level = levels->GetNumberOfLevels(); level-- > 0;)
-    {
-      for (unsigned block = 0; block < levels->GetNumberOfDataSets(level); ++block)
-      {
-        add(levels->GetDataSet(level, block));
-      }
-    }
-    return leaves;
-  }
-  auto* blocks = vtkCompositeDataSet::SafeDownCast(data);
-  if (!blocks)
-  {
-    add(data);
-    return leaves;
-  }
-  vtkSmartPointer<vtkCompositeDataIterator> block;
-  block.TakeReference(blocks->NewIterator());
-  block->SkipEmptyNodesOn();
-  for (block->InitTraversal(); !block->IsDoneWithTraversal(); block->GoToNextItem())
-  {
-    add(block->GetCurrentDataObject());
-  }
-  return leaves;
-}
-
-// Returns the leaves whose cells are as fine as the image shall be.
-std::vector<Leaf> FinestOf(vtkDataObject* data, const std::vector<Leaf>& leaves)
-{
-  auto* levels = vtkUniformGridAMR::SafeDownCast(data);
-  if (!levels)
-  {
-    return leaves;
-  }
-  for (unsigned level = levels->GetNumberOfLevels(); level-- > 0;)
-  {
-    std::vector<Leaf> finest;
-    for (unsigned block = 0; block < levels->GetNumberOfDataSets(level); ++block)
-    {
-      if (IsFilled(levels->GetDataSet(level, block)))
-      {
-        finest.emplace_back(levels->GetDataSet(level, block));
-      }
-    }
-    if (!finest.empty())
-    {
-      return finest;
-    }
-  }
-  return leaves;
-}
+  vtkBoundingBox box;
+  std::array<double, 3> cell{}; ///< median extents of cells
+};
 
 double MedianOf(std::vector<double>& values)
 {
@@ -141,47 +52,72 @@ double MedianOf(std::vector<double>& values)
   return *middle;
 }
 
-// Returns the median extents of cells with a volume; zero if there are none.
-std::array<double, 3> ExtentsOfCells(const std::vector<Leaf>& leaves)
+// Returns the sum over all ranks of a number for each rank, which the ranks set.
+std::vector<std::int64_t> OfEachRank(const Communicator& ranks, std::int64_t here)
 {
-  constexpr vtkIdType enough = 20000;
-  vtkIdType all = 0;
-  for (const Leaf& leaf : leaves)
-  {
-    all += leaf->GetNumberOfCells();
-  }
-  const vtkIdType step = std::max<vtkIdType>(all / enough, 1);
-  std::array<std::vector<double>, 3> extents;
-  vtkIdType number = 0;
-  for (const Leaf& leaf : leaves)
-  {
-    for (vtkIdType cell = 0; cell < leaf->GetNumberOfCells(); ++cell, ++number)
-    {
-      if (number % step == 0 && leaf->GetCell(cell)->GetCellDimension() == 3)
-      {
-        double bounds[6];
-        leaf->GetCellBounds(cell, bounds);
-        for (std::size_t axis = 0; axis < 3; ++axis)
-        {
-          extents[axis].push_back(bounds[2 * axis + 1] - bounds[2 * axis]);
-        }
-      }
-    }
-  }
-  std::array<double, 3> medians{ { 0, 0, 0 } };
-  for (std::size_t axis = 0; axis < 3 && !extents[axis].empty(); ++axis)
-  {
-    medians[axis] = MedianOf(extents[axis]);
-  }
-  return medians;
+  std::vector<std::int64_t> numbers(std::size_t(ranks.Size()), 0);
+  numbers[std::size_t(ranks.Rank())] = here;
+  ranks.Sum(numbers.data(), numbers.size());
+  return numbers;
 }
 
-vtkIdType PointsInMemory()
+WholeData Survey(
+  const Communicator& ranks, const std::vector<Leaf>& leaves, const std::vector<Leaf>& finest)
+{
+  constexpr std::int64_t enough = 20000; // cells
+  const auto size = std::size_t(ranks.Size());
+  const auto own = std::size_t(ranks.Rank());
+  WholeData whole;
+  std::vector<double> bounds(6 * size, 0.0);
+  vtkBoundingBox box;
+  for (const Leaf& leaf : leaves)
+  {
+    box.AddBounds(leaf->GetBounds());
+  }
+  if (box.IsValid())
+  {
+    box.GetBounds(&bounds[6 * own]);
+  }
+  ranks.Gather(bounds.data(), bounds.size());
+  const std::vector<std::int64_t> filled = OfEachRank(ranks, box.IsValid() ? 1 : 0);
+  for (std::size_t rank = 0; rank < size; ++rank)
+  {
+    if (filled[rank] != 0)
+    {
+      whole.box.AddBounds(&bounds[6 * rank]);
+    }
+  }
+  std::int64_t cells = CellsOf(finest);
+  ranks.Sum(&cells, 1);
+  const std::vector<std::array<double, 3>> extents =
+    ExtentsOfCells(finest, vtkIdType(std::max<std::int64_t>(cells / enough, 1)));
+  const std::vector<std::int64_t> counts = OfEachRank(ranks, std::int64_t(extents.size()));
+  std::size_t first = 0;
+  std::size_t all = 0;
+  for (std::size_t rank = 0; rank < size; ++rank)
+  {
+    first += rank < own ? std::size_t(counts[rank]) : 0;
+    all += std::size_t(counts[rank]);
+  }
+  for (std::size_t axis = 0; axis < 3 && all > 0; ++axis)
+  {
+    std::vector<double> along(all, 0.0);
+    std::transform(extents.begin(), extents.end(), along.begin() + std::ptrdiff_t(first),
+      [axis](const std::array<double, 3>& extent) { return extent[axis]; });
+    ranks.Gather(along.data(), along.size());
+    whole.cell[axis] = MedianOf(along);
+  }
+  return whole;
+}
+
+vtkIdType PointsInMemory(const Communicator& ranks)
 {
   constexpr double bytes = 100; // of a point, with everything that is made of it
   constexpr double share = 0.7;
   constexpr double most = 1U << 29U;
-  return static_cast<vtkIdType>(std::min(share * AvailableMemory() / bytes, most));
+  auto points = static_cast<std::int32_t>(std::min(share * AvailableMemory() / bytes, most));
+  ranks.TakeLeast(&points, 1);
+  return points;
 }
 
 // Returns the dimensions of an image with these distances of points, or larger ones.
@@ -214,343 +150,67 @@ std::string TextOf(const std::array<int, 3>& dimensions)
   return text.str();
 }
 
-// Returns the points of a leaf that are nearest to points of an image.
-std::vector<vtkIdType> NearestOf(
-  vtkDataSet* leaf, vtkImageData* image, const std::vector<vtkIdType>& points)
+// Returns the arrays of leaves. On ranks, those of the first that has any.
+std::vector<SampledArray> CatalogOf(
+  const Communicator& ranks, const std::vector<Leaf>& leaves, int association)
 {
-  vtkNew<vtkStaticPointLocator> locator;
-  locator->SetDataSet(leaf);
-  locator->BuildLocator();
-  std::vector<vtkIdType> nearest(points.size());
-  ForOnAllCores(vtkIdType(points.size()),
-    [&](vtkIdType begin, vtkIdType end)
+  std::ostringstream here;
+  for (const std::string& name : ArraysOf(leaves, association))
+  {
+    for (const Leaf& leaf : leaves)
     {
-      for (vtkIdType i = begin; i < end; ++i)
+      vtkDataArray* array = leaf->GetAttributes(association)->GetArray(name.c_str());
+      if (array && array->GetDataType() != VTK_BIT)
       {
-        double at[3];
-        image->GetPoint(points[std::size_t(i)], at);
-        nearest[std::size_t(i)] = locator->FindClosestPoint(at);
+        here << array->GetDataType() << ' ' << array->GetNumberOfComponents() << ' ' << name
+             << '\n';
+        break;
       }
-    });
-  return nearest;
+    }
+  }
+  std::string text = here.str();
+  const std::vector<std::int64_t> lengths = OfEachRank(ranks, std::int64_t(text.size()));
+  const auto first =
+    std::find_if(lengths.begin(), lengths.end(), [](std::int64_t length) { return length > 0; });
+  if (first == lengths.end())
+  {
+    return {};
+  }
+  std::vector<std::int64_t> letters(std::size_t(*first), 0);
+  if (first - lengths.begin() == ranks.Rank())
+  {
+    std::copy(text.begin(), text.end(), letters.begin());
+  }
+  ranks.Sum(letters.data(), letters.size());
+  text.assign(letters.size(), ' ');
+  std::transform(letters.begin(), letters.end(), text.begin(),
+    [](std::int64_t letter) { return static_cast<char>(letter); });
+  std::vector<SampledArray> arrays;
+  std::istringstream lines(text);
+  SampledArray array;
+  while (lines >> array.type >> array.components && lines.get() == ' ' &&
+    std::getline(lines, array.name))
+  {
+    arrays.push_back(array);
+  }
+  return arrays;
 }
 
-// Returns a leaf with some of its arrays, and one that marks what is blanked; null if none of the
-// cells may be seen.
-Leaf WithArrays(vtkDataSet* leaf, const std::set<std::string>& points, bool cells)
-{
-  Leaf with;
-  with.TakeReference(leaf->NewInstance());
-  with->CopyStructure(leaf);
-  const auto pass = [](vtkDataSetAttributes* from, vtkDataSetAttributes* to, const auto& wanted)
-  {
-    for (int i = 0; i < from->GetNumberOfArrays(); ++i)
-    {
-      vtkDataArray* array = from->GetArray(i);
-      if (array && array->GetName() && wanted(std::string(array->GetName())))
-      {
-        to->AddArray(array);
-      }
-    }
-  };
-  const auto isGhosts = [](const std::string& name)
-  { return name == vtkDataSetAttributes::GhostArrayName(); };
-  pass(leaf->GetPointData(), with->GetPointData(),
-    [&](const std::string& name) { return points.count(name) > 0; });
-  pass(leaf->GetCellData(), with->GetCellData(),
-    [&](const std::string& name) { return cells && !isGhosts(name); });
-
-  vtkUnsignedCharArray* ofCells = leaf->GetCellGhostArray();
-  vtkUnsignedCharArray* ofPoints = leaf->GetPointGhostArray();
-  if (!ofCells && !ofPoints)
-  {
-    return with;
-  }
-  constexpr int blanked = vtkDataSetAttributes::HIDDENCELL | vtkDataSetAttributes::REFINEDCELL;
-  const vtkIdType count = leaf->GetNumberOfCells();
-  const auto hidden = NewArray<vtkUnsignedCharArray>(Hidden, count);
-  vtkNew<vtkIdList> ids;
-  for (vtkIdType cell = 0; cell < count; ++cell)
-  {
-    bool isHidden = ofCells && (ofCells->GetValue(cell) & blanked) != 0;
-    if (ofPoints && !isHidden)
-    {
-      leaf->GetCellPoints(cell, ids);
-      for (vtkIdType i = 0; i < ids->GetNumberOfIds() && !isHidden; ++i)
-      {
-        isHidden = (ofPoints->GetValue(ids->GetId(i)) & vtkDataSetAttributes::HIDDENPOINT) != 0;
-      }
-    }
-    hidden->SetValue(cell, isHidden ? 1 : 0);
-  }
-  with->GetCellData()->AddArray(hidden);
-  return with;
-}
-
-// Weights of interpolation add up to one but for rounding. Takes values into the range of the array
-// that they are interpolated from.
-void TakeIntoRange(const std::vector<Leaf>& leaves, int association, vtkDataArray* array)
-{
-  if (array->GetNumberOfComponents() != 1 || array->GetDataType() == VTK_BIT)
-  {
-    return;
-  }
-  double least = std::numeric_limits<double>::infinity();
-  double most = -least;
-  for (const Leaf& leaf : leaves)
-  {
-    vtkDataArray* source = leaf->GetAttributes(association)->GetArray(array->GetName());
-    if (source && source->GetNumberOfComponents() == 1)
-    {
-      double low = 0;
-      double high = 0;
-      FiniteRange(source, 0, low, high);
-      least = std::min(least, low);
-      most = std::max(most, high);
-    }
-  }
-  least = std::min(least, 0.0); // outside of all cells
-  most = std::max(most, 0.0);
-  ForOnAllCores(array->GetNumberOfTuples(),
-    [=](vtkIdType begin, vtkIdType end)
-    {
-      for (vtkIdType i = begin; i < end; ++i)
-      {
-        const double value = array->GetComponent(i, 0);
-        if (value < least || value > most)
-        {
-          array->SetComponent(i, 0, value < least ? least : most);
-        }
-      }
-    });
-}
-
-// The samples of all leaves at the points of an image, or at the centres of its cells.
-class Samples
-{
-public:
-  enum class At
-  {
-    Points,
-    Centres // of cells
-  };
-
-  Samples(vtkImageData* image, At at)
-  {
-    image->GetDimensions(this->Points.data());
-    image->GetOrigin(this->Origin);
-    image->GetSpacing(this->Spacing);
-    for (std::size_t axis = 0; axis < 3 && at == At::Centres; ++axis)
-    {
-      this->Points[axis] -= 1;
-      this->Origin[axis] += 0.5 * this->Spacing[axis];
-    }
-    this->Valid = NewArray<vtkCharArray>(Mask, this->Count());
-    this->Valid->FillValue(0);
-  }
-
-  // Samples a leaf where no other one was. Returns these points.
-  std::vector<vtkIdType> Add(vtkDataSet* leaf)
-  {
-    int extent[6];
-    if (!this->ExtentOf(leaf, extent))
-    {
-      return {};
-    }
-    vtkNew<vtkImageData> lattice;
-    lattice->SetOrigin(this->Origin);
-    lattice->SetSpacing(this->Spacing);
-    lattice->SetExtent(extent);
-    vtkNew<vtkProbeFilter> probe;
-    probe->SetInputData(lattice);
-    probe->SetSourceData(leaf);
-    probe->Update();
-    return this->Take(probe->GetOutput()->GetPointData(), extent);
-  }
-
-  // Copies values of an array, at points `from`, to points `to`.
-  void Copy(
-    vtkDataArray* array, const std::vector<vtkIdType>& from, const std::vector<vtkIdType>& to)
-  {
-    if (vtkDataArray* all = this->ArrayLike(array))
-    {
-      ForOnAllCores(vtkIdType(from.size()),
-        [&](vtkIdType begin, vtkIdType end)
-        {
-          for (vtkIdType i = begin; i < end; ++i)
-          {
-            all->SetTuple(to[std::size_t(i)], from[std::size_t(i)], array);
-          }
-        });
-    }
-  }
-
-  bool IsValid(vtkIdType point) const { return this->Valid->GetValue(point) != 0; }
-  vtkIdType NumberOf(int i, int j, int k) const
-  {
-    return i + this->Points[0] * (j + vtkIdType(this->Points[1]) * k);
-  }
-  vtkIdType Count() const { return vtkIdType(this->Points[0]) * this->Points[1] * this->Points[2]; }
-
-  // Gives cells without a valid sample the values at one of their corners that has one. `corners`:
-  // the samples at the corners of these cells, of the same arrays.
-  void Complete(const Samples& corners)
-  {
-    std::vector<vtkIdType> from;
-    std::vector<vtkIdType> to;
-    vtkIdType cell = 0;
-    for (int k = 0; k < this->Points[2]; ++k)
-    {
-      for (int j = 0; j < this->Points[1]; ++j)
-      {
-        for (int i = 0; i < this->Points[0]; ++i, ++cell)
-        {
-          for (int corner = 0; corner < 8 && !this->IsValid(cell); ++corner)
-          {
-            const vtkIdType point =
-              corners.NumberOf(i + (corner & 1), j + (corner >> 1 & 1), k + (corner >> 2));
-            if (corners.IsValid(point))
-            {
-              from.push_back(point);
-              to.push_back(cell);
-              this->Valid->SetValue(cell, 1);
-            }
-          }
-        }
-      }
-    }
-    for (const vtkSmartPointer<vtkDataArray>& array : corners.Arrays)
-    {
-      this->Copy(array, from, to);
-    }
-  }
-
-  // Moves the values to attributes of an image. `association`: of the arrays of the leaves.
-  void MoveTo(vtkDataSetAttributes* attributes, const std::vector<Leaf>& leaves, int association)
-  {
-    for (const vtkSmartPointer<vtkDataArray>& array : this->Arrays)
-    {
-      TakeIntoRange(leaves, association, array);
-      attributes->AddArray(array);
-    }
-    vtkDataArray* scalars = leaves.front()->GetAttributes(association)->GetScalars();
-    attributes->SetActiveScalars(scalars ? scalars->GetName() : nullptr);
-    this->Arrays.clear();
-  }
-
-private:
-  // Finds the points that may be in a leaf; false: none.
-  bool ExtentOf(vtkDataSet* leaf, int* extent) const
-  {
-    const double* bounds = leaf->GetBounds();
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      const double low = (bounds[2 * axis] - this->Origin[axis]) / this->Spacing[axis];
-      const double high = (bounds[2 * axis + 1] - this->Origin[axis]) / this->Spacing[axis];
-      extent[2 * axis] = int(std::max(std::floor(low), 0.0));
-      extent[2 * axis + 1] =
-        int(std::min(std::ceil(high), double(this->Points[std::size_t(axis)] - 1)));
-      if (extent[2 * axis] > extent[2 * axis + 1])
-      {
-        return false;
-      }
-    }
-    return true;
-  }
-
-  vtkDataArray* ArrayLike(vtkDataArray* other)
-  {
-    for (const vtkSmartPointer<vtkDataArray>& array : this->Arrays)
-    {
-      if (array->GetName() == std::string(other->GetName()))
-      {
-        const bool fits = array->GetNumberOfComponents() == other->GetNumberOfComponents();
-        return fits ? array : nullptr;
-      }
-    }
-    vtkSmartPointer<vtkDataArray> made;
-    made.TakeReference(other->NewInstance());
-    made->SetName(other->GetName());
-    made->SetNumberOfComponents(other->GetNumberOfComponents());
-    made->SetNumberOfTuples(this->Count());
-    made->Fill(0);
-    this->Arrays.push_back(made);
-    return made;
-  }
-
-  std::vector<vtkIdType> Take(vtkPointData* sampled, const int* extent)
-  {
-    auto* mask = vtkCharArray::SafeDownCast(sampled->GetArray(Mask));
-    vtkDataArray* hidden = sampled->GetArray(Hidden);
-    if (!mask)
-    {
-      return {};
-    }
-    std::vector<vtkIdType> from;
-    std::vector<vtkIdType> to;
-    vtkIdType here = 0;
-    for (int k = extent[4]; k <= extent[5]; ++k)
-    {
-      for (int j = extent[2]; j <= extent[3]; ++j)
-      {
-        for (int i = extent[0]; i <= extent[1]; ++i, ++here)
-        {
-          const vtkIdType there = this->NumberOf(i, j, k);
-          const bool isBlanked = hidden && hidden->GetTuple1(here) != 0;
-          if (mask->GetValue(here) != 0 && !isBlanked && !this->IsValid(there))
-          {
-            from.push_back(here);
-            to.push_back(there);
-            this->Valid->SetValue(there, 1);
-          }
-        }
-      }
-    }
-    for (int number = 0; number < sampled->GetNumberOfArrays(); ++number)
-    {
-      vtkDataArray* array = sampled->GetArray(number);
-      const std::string name = array && array->GetName() ? array->GetName() : "";
-      if (!name.empty() && name != Mask && name != Hidden)
-      {
-        this->Copy(array, from, to);
-      }
-    }
-    return to;
-  }
-
-  std::array<int, 3> Points;
-  double Origin[3];
-  double Spacing[3];
-  vtkSmartPointer<vtkCharArray> Valid;
-  std::vector<vtkSmartPointer<vtkDataArray>> Arrays;
-};
-
-std::set<std::string> ArraysOf(const std::vector<Leaf>& leaves, int association)
+std::set<std::string> NamesOf(const std::vector<SampledArray>& arrays)
 {
   std::set<std::string> names;
-  for (const Leaf& leaf : leaves)
-  {
-    vtkDataSetAttributes* attributes = leaf->GetAttributes(association);
-    for (int i = 0; i < attributes->GetNumberOfArrays(); ++i)
-    {
-      vtkDataArray* array = attributes->GetArray(i);
-      const std::string name = array && array->GetName() ? array->GetName() : "";
-      if (!name.empty() && name != vtkDataSetAttributes::GhostArrayName())
-      {
-        names.insert(name);
-      }
-    }
-  }
+  std::transform(arrays.begin(), arrays.end(), std::inserter(names, names.end()),
+    [](const SampledArray& array) { return array.name; });
   return names;
 }
 
 // Blanks points without a valid sample.
-void Blank(const Samples& samples, vtkPointData* points)
+void Blank(const LatticeSamples& samples, vtkImageData* image)
 {
-  const auto ghosts =
-    NewArray<vtkUnsignedCharArray>(vtkDataSetAttributes::GhostArrayName(), samples.Count());
+  const vtkIdType count = image->GetNumberOfPoints();
+  const auto ghosts = NewArray<vtkUnsignedCharArray>(vtkDataSetAttributes::GhostArrayName(), count);
   bool any = false;
-  for (vtkIdType point = 0; point < samples.Count(); ++point)
+  for (vtkIdType point = 0; point < count; ++point)
   {
     const bool valid = samples.IsValid(point);
     any = any || !valid;
@@ -558,108 +218,183 @@ void Blank(const Samples& samples, vtkPointData* points)
   }
   if (any)
   {
-    points->AddArray(ghosts);
+    image->GetPointData()->AddArray(ghosts);
   }
 }
 
-// Returns an image over the box, a little smaller, see Border.
-vtkSmartPointer<vtkImageData> ImageOver(
-  const vtkBoundingBox& box, const std::array<int, 3>& dimensions)
+// Returns the lattice over the box, a little smaller, see Border.
+Lattice LatticeOver(const vtkBoundingBox& box, const std::array<int, 3>& dimensions)
 {
-  double origin[3];
-  double spacing[3];
-  for (int axis = 0; axis < 3; ++axis)
+  Lattice lattice;
+  for (std::size_t axis = 0; axis < 3; ++axis)
   {
-    const double border = Border * box.GetLength(axis);
-    origin[axis] = box.GetMinPoint()[axis] + border;
-    spacing[axis] = (box.GetLength(axis) - 2 * border) / (dimensions[std::size_t(axis)] - 1);
+    const double length = box.GetLength(int(axis));
+    lattice.origin[axis] = box.GetMinPoint()[axis] + Border * length;
+    lattice.spacing[axis] = (1 - 2 * Border) * length / (dimensions[axis] - 1);
+    lattice.extent[2 * axis] = 0;
+    lattice.extent[2 * axis + 1] = dimensions[axis] - 1;
   }
-  auto image = vtkSmartPointer<vtkImageData>::New();
-  image->SetDimensions(dimensions.data());
-  image->SetOrigin(origin);
-  image->SetSpacing(spacing);
-  return image;
+  return lattice;
 }
 
-void SamplePoints(
-  const std::vector<Leaf>& leaves, const std::set<std::string>& labels, vtkImageData* image)
+// Returns the part of a lattice that a rank shall have.
+Lattice PieceOf(const Lattice& whole, const Communicator& ranks)
 {
-  const std::set<std::string> names = ArraysOf(leaves, vtkDataObject::POINT);
-  Samples samples(image, Samples::At::Points);
-  for (const Leaf& leaf : leaves)
-  {
-    const std::vector<vtkIdType> points = samples.Add(WithArrays(leaf, names, false));
-    std::vector<vtkIdType> nearest;
-    for (const std::string& label : labels)
-    {
-      if (vtkDataArray* array = leaf->GetPointData()->GetArray(label.c_str()))
-      {
-        nearest = nearest.empty() ? NearestOf(leaf, image, points) : nearest;
-        samples.Copy(array, nearest, points); // in place of what was interpolated
-      }
-    }
-  }
-  samples.MoveTo(image->GetPointData(), leaves, vtkDataObject::POINT);
-  Blank(samples, image->GetPointData());
+  std::array<int, 6> all = whole.extent;
+  Lattice piece = whole;
+  vtkNew<vtkExtentTranslator> translator;
+  const int has = translator->PieceToExtentThreadSafe(ranks.Rank(), ranks.Size(), 0, all.data(),
+    piece.extent.data(), vtkExtentTranslator::BLOCK_MODE, 0);
+  piece.extent = has ? piece.extent : std::array<int, 6>{ { 0, -1, 0, -1, 0, -1 } };
+  return piece;
 }
 
-void SampleCells(const std::vector<Leaf>& leaves, vtkImageData* image)
+// Returns the part of a lattice in which the leaves are.
+Lattice PartAround(const Lattice& whole, const std::vector<Leaf>& leaves)
 {
-  if (ArraysOf(leaves, vtkDataObject::CELL).empty())
-  {
-    return;
-  }
-  Samples centres(image, Samples::At::Centres);
-  Samples corners(image, Samples::At::Points);
-  for (const Leaf& leaf : leaves)
-  {
-    const Leaf cells = WithArrays(leaf, {}, true);
-    centres.Add(cells);
-    corners.Add(cells);
-  }
-  centres.Complete(corners);
-  centres.MoveTo(image->GetCellData(), leaves, vtkDataObject::CELL);
-}
-}
-
-SampledData SampleData(vtkDataObject* data, const DataSampling& sampling)
-{
-  const std::vector<Leaf> leaves = LeavesOf(data);
-  const std::array<double, 3> extents = ExtentsOfCells(FinestOf(data, leaves));
-  LIMPID_REQUIRE(extents[0] > 0 && extents[1] > 0 && extents[2] > 0,
-    "The input is a " << (data ? data->GetClassName() : "null pointer")
-                      << " whose cells have no volume (there is nothing inside to be shown). Give "
-                         "data with cells of three dimensions.");
   vtkBoundingBox box;
   for (const Leaf& leaf : leaves)
   {
     box.AddBounds(leaf->GetBounds());
   }
+  double bounds[6] = { 1, 0, 1, 0, 1, 0 };
+  if (!box.IsValid())
+  {
+    return whole.Within({ { 0, -1, 0, -1, 0, -1 } });
+  }
+  box.GetBounds(bounds);
+  return whole.Around(bounds);
+}
+
+// Samples the data of this process, and exchanges what others want.
+class Sampler
+{
+public:
+  Sampler(const Communicator& ranks, const std::vector<Leaf>& leaves, const Lattice& whole)
+    : Ranks(ranks)
+    , Leaves(leaves)
+    , Here(ranks.IsAlone() ? whole : PartAround(whole, leaves))
+    , Piece(ranks.IsAlone() ? whole : PieceOf(whole, ranks))
+  {
+  }
+
+  vtkSmartPointer<vtkImageData> Image(const std::set<std::string>& labels) const
+  {
+    auto image = vtkSmartPointer<vtkImageData>::New();
+    image->SetOrigin(this->Piece.origin.data());
+    image->SetSpacing(this->Piece.spacing.data());
+    image->SetExtent(const_cast<int*>(this->Piece.extent.data()));
+    LatticeSamples ofPoints = this->Wanted(this->SamplePoints(labels), this->Piece);
+    Blank(ofPoints, image);
+    ofPoints.MoveTo(image->GetPointData());
+    LatticeSamples ofCells = this->Wanted(this->SampleCells(), this->Piece.OfCells());
+    ofCells.MoveTo(image->GetCellData());
+    this->TakeActive(image);
+    return image;
+  }
+
+private:
+  LatticeSamples SamplePoints(const std::set<std::string>& labels) const
+  {
+    const std::vector<SampledArray> arrays =
+      CatalogOf(this->Ranks, this->Leaves, vtkDataObject::POINT);
+    LatticeSamples samples(this->Here, arrays);
+    for (const Leaf& leaf : this->Leaves)
+    {
+      const std::vector<vtkIdType> points = samples.Add(WithArrays(leaf, NamesOf(arrays), false));
+      std::vector<vtkIdType> nearest;
+      for (const std::string& label : labels)
+      {
+        if (vtkDataArray* array = leaf->GetPointData()->GetArray(label.c_str()))
+        {
+          nearest = nearest.empty() ? NearestOf(leaf, this->Here, points) : nearest;
+          samples.Copy(array, nearest, points); // in place of what was interpolated
+        }
+      }
+    }
+    samples.TakeIntoRanges(this->Leaves, vtkDataObject::POINT);
+    return samples;
+  }
+
+  LatticeSamples SampleCells() const
+  {
+    const std::vector<SampledArray> arrays =
+      CatalogOf(this->Ranks, this->Leaves, vtkDataObject::CELL);
+    LatticeSamples centres(this->Here.OfCells(), arrays);
+    if (arrays.empty())
+    {
+      return centres;
+    }
+    LatticeSamples corners(this->Here, arrays);
+    for (const Leaf& leaf : this->Leaves)
+    {
+      const Leaf cells = WithArrays(leaf, {}, true);
+      centres.Add(cells);
+      corners.Add(cells);
+    }
+    centres.Complete(corners);
+    return centres;
+  }
+
+  LatticeSamples Wanted(LatticeSamples&& samples, const Lattice& lattice) const
+  {
+    return this->Ranks.IsAlone() ? std::move(samples) : samples.Shared(this->Ranks, lattice);
+  }
+
+  void TakeActive(vtkImageData* image) const
+  {
+    for (const int association : { vtkDataObject::POINT, vtkDataObject::CELL })
+    {
+      vtkDataArray* scalars = this->Leaves.empty()
+        ? nullptr
+        : this->Leaves.front()->GetAttributes(association)->GetScalars();
+      image->GetAttributes(association)->SetActiveScalars(scalars ? scalars->GetName() : nullptr);
+    }
+  }
+
+  const Communicator& Ranks;
+  const std::vector<Leaf>& Leaves;
+  Lattice Here;  ///< where this process has data
+  Lattice Piece; ///< of the image, that this process gets
+};
+}
+
+SampledData SampleData(vtkDataObject* data, const DataSampling& sampling, const Communicator& ranks)
+{
+  const std::vector<Leaf> leaves = LeavesOf(data);
+  const WholeData whole = Survey(ranks, leaves, FinestOf(data, leaves));
+  LIMPID_REQUIRE(whole.cell[0] > 0 && whole.cell[1] > 0 && whole.cell[2] > 0,
+    "The input is a " << (data ? data->GetClassName() : "null pointer")
+                      << " whose cells have no volume (there is nothing inside to be shown). Give "
+                         "data with cells of three dimensions.");
   const std::array<int, 3> finest =
-    DimensionsFor(box, extents, std::numeric_limits<vtkIdType>::max());
-  std::array<int, 3> dimensions =
-    DimensionsFor(box, extents, sampling.mostPoints > 0 ? sampling.mostPoints : PointsInMemory());
+    DimensionsFor(whole.box, whole.cell, std::numeric_limits<vtkIdType>::max());
+  const vtkIdType most = sampling.mostPoints > 0 ? sampling.mostPoints : PointsInMemory(ranks);
+  std::array<int, 3> dimensions = DimensionsFor(whole.box, whole.cell, most);
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
     const int given = sampling.dimensions[axis];
     dimensions[axis] = given > 0 ? std::max(given, 2) : dimensions[axis];
   }
-  SampledData result{ ImageOver(box, dimensions), "sampled at " + TextOf(dimensions) + " points" };
+  SampledData result;
+  result.text = "sampled at " + TextOf(dimensions) + " points";
   if (dimensions != finest)
   {
     result.text += "; " + TextOf(finest) + " would be as fine as the data";
   }
-  SamplePoints(leaves, sampling.labels, result.image);
-  SampleCells(leaves, result.image);
+  const Lattice lattice = LatticeOver(whole.box, dimensions);
+  result.extent = lattice.extent;
+  result.image = Sampler(ranks, leaves, lattice).Image(sampling.labels);
   return result;
 }
 
-vtkSmartPointer<vtkInformationVector> WithImage(vtkInformationVector* input, vtkImageData* image)
+vtkSmartPointer<vtkInformationVector> WithImage(
+  vtkInformationVector* input, const SampledData& sampled)
 {
   vtkNew<vtkInformation> information;
   information->Copy(input->GetInformationObject(0));
-  information->Set(vtkDataObject::DATA_OBJECT(), image);
-  information->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), image->GetExtent(), 6);
+  information->Set(vtkDataObject::DATA_OBJECT(), sampled.image);
+  information->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), sampled.extent.data(), 6);
   auto with = vtkSmartPointer<vtkInformationVector>::New();
   with->Append(information);
   return with;

@@ -20,6 +20,8 @@ class vtkInformationVector;
 
 namespace limpid
 {
+class Communicator;
+
 /// How to sample data.
 struct DataSampling
 {
@@ -31,7 +33,8 @@ struct DataSampling
 /// An image of data.
 struct SampledData
 {
-  vtkSmartPointer<vtkImageData> image;
+  vtkSmartPointer<vtkImageData> image;                  ///< on ranks, a piece of it
+  std::array<int, 6> extent{ { 0, -1, 0, -1, 0, -1 } }; ///< of the whole image
   std::string text; ///< such as "sampled at 100 x 80 x 60 points"
 };
 
@@ -46,13 +49,17 @@ struct SampledData
  * points along an axis is the median of the cells' extents along it, on the finest level of an
  * AMR; or larger, if the image would have too many points.
  *
+ * Ranks, each of which has some of the data, get pieces of the image; points that several have are
+ * sampled by the first. Collective.
+ *
  * Throws limpid::Error if no cell has a volume.
  */
-VTKLIMPIDFILTERS_EXPORT SampledData SampleData(vtkDataObject* data, const DataSampling& sampling);
+VTKLIMPIDFILTERS_EXPORT SampledData SampleData(
+  vtkDataObject* data, const DataSampling& sampling, const Communicator& ranks);
 
-/// Returns the information of an input port with an image in place of its data.
+/// Returns the information of an input port with samples in place of its data.
 VTKLIMPIDFILTERS_EXPORT vtkSmartPointer<vtkInformationVector> WithImage(
-  vtkInformationVector* input, vtkImageData* image);
+  vtkInformationVector* input, const SampledData& sampled);
 }
 
 #endif

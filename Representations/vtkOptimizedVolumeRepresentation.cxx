@@ -4,7 +4,7 @@
 #include "vtkOptimizedVolumeRepresentation.h"
 
 #include "CapturedView.h"
-#include "Choices.h"
+#include "ControllerRanks.h"
 #include "InputArrays.h"
 #include "Memory.h"
 #include "ScoreText.h"
@@ -24,6 +24,8 @@
 #include "vtkRenderer.h"
 #include "vtkVolumeCollection.h"
 #include "vtkVolumeProperty.h"
+
+#include "distributed/Communicator.h"
 
 #include <array>
 #include <exception>
@@ -131,11 +133,6 @@ std::string vtkOptimizedVolumeRepresentation::Sample(vtkDataObject* input)
     state.Sampled = {};
     return {};
   }
-  if (this->Others())
-  {
-    state.Sampled = {};
-    return limpid::RefusalOf(input, "on several processes, Optimized Volume draws");
-  }
   limpid::DataSampling sampling;
   sampling.dimensions = state.ImageDimensions;
   sampling.labels = { limpid::ChosenName(this, limpid::structureArray) };
@@ -145,14 +142,16 @@ std::string vtkOptimizedVolumeRepresentation::Sample(vtkDataObject* input)
   {
     of << ' ' << points;
   }
-  if (state.Sampled.image && of.str() == state.SampledOf)
-  {
-    return {};
-  }
-  state.Sampled = {};
   try
   {
-    state.Sampled = limpid::SampleData(input, sampling);
+    const std::shared_ptr<const limpid::Communicator> ranks = limpid::MakeRanks();
+    if (!ranks->AnyOf(!state.Sampled.image || of.str() != state.SampledOf))
+    {
+      return {};
+    }
+    state.Sampled = {};
+    state.Sampled = limpid::NotifyingOnFailure(
+      *ranks, [&] { return limpid::SampleData(input, sampling, *ranks); });
     state.SampledOf = of.str();
     return {};
   }
@@ -175,7 +174,7 @@ int vtkOptimizedVolumeRepresentation::RequestData(
     vtkSmartPointer<vtkInformationVector> image = inputVector[0];
     if (this->State->Sampled.image)
     {
-      image = limpid::WithImage(inputVector[0], this->State->Sampled.image);
+      image = limpid::WithImage(inputVector[0], this->State->Sampled);
     }
     vtkInformationVector* inputs = image;
     const int result = this->Superclass::RequestData(request, &inputs, outputVector);

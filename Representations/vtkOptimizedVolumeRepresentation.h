@@ -9,7 +9,8 @@
  * display's color map, opacity function, unit distance, transformation and cropping, and a text in
  * the view that says how much of the important structures can be seen.
  *
- * Data that are no image are sampled, see SetImageDimensions: what is in no cell is empty.
+ * Data that are no image are sampled, see SetImageDimensions: what is in no cell is empty. Each
+ * process samples what it has.
  *
  * Each view has its own representation of a data set, hence its own optimisation.
  *

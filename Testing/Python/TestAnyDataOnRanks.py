@@ -1,0 +1,71 @@
+# SPDX-FileCopyrightText: Copyright (c) Limpid developers
+# SPDX-License-Identifier: BSD-3-Clause
+
+# Under pvbatch with several processes: data that are no image, of which each process has some, are
+# drawn like the image of the same field, without seams.
+
+import os
+import sys
+import unittest
+
+from paraview import simple
+
+import displays
+import pictures
+
+simple.LoadPlugin(os.environ["LIMPID_PLUGIN"], remote=False, ns=vars(simple))
+PROCESSES = simple.servermanager.vtkProcessModule.GetProcessModule().GetNumberOfLocalPartitions()
+
+
+class TestAnyDataOnRanks(displays.DisplayTest):
+    def shown(self, source, array=("POINTS", "Scalars"), **settings):
+        display = displays.show(source, self.view, array=array)
+        for name, value in settings.items():
+            setattr(display, name, value)
+        picture = pictures.take(self.view)
+        display.UpdatePropertyInformation()
+        simple.Hide(source, self.view)
+        return display, picture
+
+    def assert_alike(self, sources, image, array=("POINTS", "Scalars"), **settings):
+        expected, picture = self.shown(image, array, **settings)
+        for name, source in sources.items():
+            with self.subTest(name):
+                display, same = self.shown(source, array, **settings)
+                self.assertEqual(display.SampledAt, "sampled at 32 x 32 x 32 points")
+                self.assertEqual(display.Messages, "")
+                self.assertAlmostEqual(display.VisibilityScore / expected.VisibilityScore, 1, delta=0.005)
+                self.assertAlmostEqual(display.VisibleFraction / expected.VisibleFraction, 1, delta=0.005)
+                self.assertLess(abs(same - picture).mean(), 1)
+
+    def test_there_are_several_processes(self):
+        self.assertGreater(PROCESSES, 1)
+
+    def test_points(self):
+        image = simple.OcclusionPhantom(Resolution=32)
+        self.assert_alike({
+            "tetrahedra": simple.Tetrahedralize(Input=image),
+            "structured grid": simple.Transform(Input=image),
+            "meshes in blocks": simple.GroupDatasets(Input=[simple.AppendDatasets(Input=[image])])}, image)
+
+    def test_cells(self):
+        cells = simple.PointDatatoCellData(Input=simple.OcclusionPhantom(Resolution=32))
+        self.assert_alike({"hexahedra": simple.AppendDatasets(Input=[cells])}, cells, ("CELLS", "Scalars"))
+
+    def test_labels(self):
+        image = simple.Calculator(Input=simple.OcclusionPhantom(Resolution=32), ResultArrayName="Labels",
+                                  Function="4*round(Importance)")
+        self.assert_alike({"hexahedra": simple.AppendDatasets(Input=[image])}, image,
+                          StructureArray=["POINTS", "Labels"], Structures=["4", "core", "1", ""])
+
+    def test_data_without_a_volume_say_so(self):
+        display = displays.show(simple.AppendDatasets(Input=[simple.Sphere()]), self.view, array=("POINTS", "Normals"))
+        pictures.take(self.view)
+        display.UpdatePropertyInformation()
+        self.assertIn("whose cells have no volume", display.Messages)
+
+
+if __name__ == "__main__":
+    # Only a failure leaves by sys.exit: it keeps ParaView from closing its windows and processes.
+    if not unittest.main(exit=False).result.wasSuccessful():
+        sys.exit(1)
