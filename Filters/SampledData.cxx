@@ -365,8 +365,8 @@ SampledData SampleData(vtkDataObject* data, const DataSampling& sampling, const 
   const WholeData whole = Survey(ranks, leaves, FinestOf(data, leaves));
   LIMPID_REQUIRE(whole.cell[0] > 0 && whole.cell[1] > 0 && whole.cell[2] > 0,
     "The input is a " << (data ? data->GetClassName() : "null pointer")
-                      << " whose cells have no volume (there is nothing inside to be shown). Give "
-                         "data with cells of three dimensions.");
+                      << " without cells that have a volume (there is nothing inside to be shown). "
+                         "Give data with cells of three dimensions.");
   const std::array<int, 3> finest =
     DimensionsFor(whole.box, whole.cell, std::numeric_limits<vtkIdType>::max());
   const vtkIdType most = sampling.mostPoints > 0 ? sampling.mostPoints : PointsInMemory(ranks);

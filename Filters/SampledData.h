@@ -60,6 +60,14 @@ VTKLIMPIDFILTERS_EXPORT SampledData SampleData(
 /// Returns the information of an input port with samples in place of its data.
 VTKLIMPIDFILTERS_EXPORT vtkSmartPointer<vtkInformationVector> WithImage(
   vtkInformationVector* input, const SampledData& sampled);
+/// Throws limpid::Error if results cannot be brought back to the points of data, or if there are
+/// several processes.
+VTKLIMPIDFILTERS_EXPORT void RequirePoints(vtkDataObject* data);
+
+/// Copies data to `output`, with the arrays that `result` has in addition to the image that it was
+/// made of: point arrays are interpolated at the points of the data, field data are copied.
+VTKLIMPIDFILTERS_EXPORT void BringBack(
+  const SampledData& sampled, vtkImageData* result, vtkDataObject* data, vtkDataObject* output);
 }
 
 #endif

@@ -5,8 +5,11 @@
 
 #include "Abort.h"
 #include "ControllerRanks.h"
+#include "InputArrays.h"
 #include "Memory.h"
 #include "PropertyPrinter.h"
+#include "SampledData.h"
+#include "StructureLabels.h"
 #include "StructureTable.h"
 
 #include "vtkExtentTranslator.h"
@@ -115,12 +118,33 @@ vtkTable* vtkExtinctionOptimizer::GetStructureTable()
 
 int vtkExtinctionOptimizer::FillOutputPortInformation(int port, vtkInformation* info)
 {
-  if (port > 0)
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), port > 0 ? "vtkTable" : "vtkDataObject");
+  return 1;
+}
+
+// Makes an output of the type of the input; an image for all kinds of images.
+vtkTypeBool vtkExtinctionOptimizer::ProcessRequest(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  if (!request->Has(Pipeline::REQUEST_DATA_OBJECT()))
   {
-    info->Set(vtkDataObject::DATA_TYPE_NAME(), "vtkTable");
-    return 1;
+    return this->Superclass::ProcessRequest(request, inputVector, outputVector);
   }
-  return this->Superclass::FillOutputPortInformation(port, info);
+  vtkDataObject* input = vtkDataObject::GetData(inputVector[0]);
+  vtkInformation* outInfo = outputVector->GetInformationObject(0);
+  vtkDataObject* output = vtkDataObject::GetData(outInfo);
+  const bool isMesh = input && !vtkImageData::SafeDownCast(input);
+  const int type = isMesh ? input->GetDataObjectType() : VTK_IMAGE_DATA;
+  if (!output || output->GetDataObjectType() != type)
+  {
+    vtkSmartPointer<vtkDataObject> made = vtkSmartPointer<vtkImageData>::New();
+    if (isMesh)
+    {
+      made.TakeReference(input->NewInstance());
+    }
+    outInfo->Set(vtkDataObject::DATA_OBJECT(), made);
+  }
+  return 1;
 }
 
 int vtkExtinctionOptimizer::RequestUpdateExtent(
@@ -141,6 +165,10 @@ int vtkExtinctionOptimizer::RequestData(
   vtkImageData* output = vtkImageData::GetData(outputVector, 0);
   vtkTable* convergence = vtkTable::GetData(outputVector, 1);
   vtkTable* structures = vtkTable::GetData(outputVector, 2);
+  if (!output)
+  {
+    return this->RequestOfMesh(inputVector, outputVector);
+  }
   try
   {
     vtkInformation* outInfo = outputVector->GetInformationObject(0);
@@ -165,6 +193,46 @@ int vtkExtinctionOptimizer::RequestData(
     vtkErrorMacro(<< limpid::MessageOf(error, vtkImageData::GetData(inputVector[0]),
                     limpid::MemoryNeed{ this->State->BytesPerPoint(), limpid::fewerPoints }));
     output->Initialize(); // no half-optimised field
+    convergence->Initialize();
+    structures->Initialize();
+    return 0;
+  }
+}
+
+// Optimises an image of data that are none, and brings the results back to their points.
+int vtkExtinctionOptimizer::RequestOfMesh(
+  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkDataObject* input = vtkDataObject::GetData(inputVector[0]);
+  vtkDataObject* output = vtkDataObject::GetData(outputVector, 0);
+  vtkTable* convergence = vtkTable::GetData(outputVector, 1);
+  vtkTable* structures = vtkTable::GetData(outputVector, 2);
+  try
+  {
+    limpid::RequirePoints(input);
+    this->State->Ranks = limpid::ThisProcess();
+    limpid::DataSampling sampling;
+    sampling.labels = { limpid::ChosenName(this, limpid::structureArray) };
+    const limpid::SampledData sampled = limpid::SampleData(input, sampling, *this->State->Ranks);
+    const vtkSmartPointer<vtkInformationVector> image = limpid::WithImage(inputVector[0], sampled);
+    vtkInformationVector* inputs = image;
+    vtkNew<vtkImageData> result;
+    this->Optimize(&inputs, result, convergence, structures);
+    limpid::BringBack(sampled, result, input, output);
+    return 1;
+  }
+  catch (const limpid::Interrupted&)
+  {
+    this->SetProgressText(nullptr);
+    output->ShallowCopy(input);
+    return 1;
+  }
+  catch (const std::exception& error)
+  {
+    vtkImageData* none = nullptr;
+    vtkErrorMacro(<< limpid::MessageOf(error, none,
+                    limpid::MemoryNeed{ this->State->BytesPerPoint(), limpid::fewerPoints }));
+    output->Initialize();
     convergence->Initialize();
     structures->Initialize();
     return 0;

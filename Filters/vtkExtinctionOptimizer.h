@@ -12,7 +12,8 @@
  * only if ExtinctionSource is ARRAY. ScalarOpacityUnitDistance is also the unit distance of the
  * array "Opacity".
  *
- * Output port 0: vtkImageData, a shallow copy of the input with float point arrays
+ * Output port 0: a shallow copy of the input, an image or data of the input's type (for which
+ * GetOutputDataObject returns it), with float point arrays
  *   "Extinction"         optimised extinction for the camera; in joint mode, also for the light
  *                        [1/length],
  *   "LightExtinction"    separate mode only: optimised extinction for the light [1/length],
@@ -233,6 +234,8 @@ protected:
   ~vtkExtinctionOptimizer() override;
 
   int FillOutputPortInformation(int port, vtkInformation* info) override;
+  vtkTypeBool ProcessRequest(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
   int RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
@@ -257,6 +260,8 @@ private:
 
   void Optimize(vtkInformationVector** inputVector, vtkImageData* output, vtkTable* convergence,
     vtkTable* structures);
+
+  int RequestOfMesh(vtkInformationVector** inputVector, vtkInformationVector* outputVector);
 
   struct Internals; // hides core types from this header
   std::unique_ptr<Internals> State;

@@ -12,9 +12,8 @@
  * of ranked viewpoints have the directions that were found, at the distance from which the box of
  * the image fills 95 % of the picture's width or height.
  *
- * Input port 0: vtkImageData, see vtkVisibilityAlgorithm; a process alone samples other data, see
- * SampleData. Array 2, an extinction, is used if
- * ExtinctionSource is ARRAY or Field is EXTINCTION_ARRAY.
+ * Input port 0: see vtkVisibilityAlgorithm. Array 2, an extinction, is used if ExtinctionSource is
+ * ARRAY or Field is EXTINCTION_ARRAY.
  *
  * Output port 0: vtkPolyData, the S-sphere: a closed triangulated sphere around the image, one
  * point per direction, with the point arrays

@@ -155,8 +155,7 @@ void vtkViewpointSearch::Internals::SearchAny(
   limpid::DataSampling sampling;
   sampling.labels = { limpid::ChosenName(this->Self, limpid::structureArray) };
   const limpid::SampledData sampled = limpid::SampleData(data, sampling, *this->Ranks);
-  const vtkSmartPointer<vtkInformationVector> image =
-    limpid::WithImage(inputVector[0], sampled);
+  const vtkSmartPointer<vtkInformationVector> image = limpid::WithImage(inputVector[0], sampled);
   vtkInformationVector* inputs = image;
   this->Search(&inputs, isLaterPiece, outputs);
 }

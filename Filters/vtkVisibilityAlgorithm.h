@@ -9,7 +9,9 @@
  * importance; the weights of Eq. (21) in [HG24]; and the backend.
  *
  * Input port 0: vtkImageData with point or cell arrays of any numeric type, chosen with
- * SetInputArrayToProcess. Cell arrays are averaged to the points first.
+ * SetInputArrayToProcess. Cell arrays are averaged to the points first. In a single process also
+ * other data with cells that have a volume: they are sampled at the points of an image, see
+ * SampleData.
  *   index 0: scalar field; default: the active scalars;
  *   index 1: importance, dimensionless; default: "(Automatic)", which is the array "Importance".
  *     If there is none, it is the scalar field mapped by ImportanceFunction. Without that, the
@@ -28,8 +30,6 @@
  *
  * Any point may hide any other, so with several processes each one needs the whole image. A source
  * that cannot provide it is an error.
- *
- * Composite data are an error: what hides a structure may be in another block.
  *
  * The unit of length is that of the input's spacing.
  *

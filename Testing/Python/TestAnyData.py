@@ -139,7 +139,7 @@ class TestAnyData(displays.DisplayTest):
         display = displays.show(simple.AppendDatasets(Input=[simple.Sphere()]), self.view, array=("POINTS", "Normals"))
         pictures.take(self.view)
         display.UpdatePropertyInformation()
-        self.assertIn("vtkUnstructuredGrid whose cells have no volume", display.Messages)
+        self.assertIn("vtkUnstructuredGrid without cells that have a volume", display.Messages)
 
     def test_changed_data_are_sampled_again(self):
         phantom = simple.OcclusionPhantom(Resolution=RESOLUTION)

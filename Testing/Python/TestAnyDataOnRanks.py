@@ -62,7 +62,7 @@ class TestAnyDataOnRanks(displays.DisplayTest):
         display = displays.show(simple.AppendDatasets(Input=[simple.Sphere()]), self.view, array=("POINTS", "Normals"))
         pictures.take(self.view)
         display.UpdatePropertyInformation()
-        self.assertIn("whose cells have no volume", display.Messages)
+        self.assertIn("without cells that have a volume", display.Messages)
 
 
 if __name__ == "__main__":

@@ -12,6 +12,7 @@ from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkBitArray
 from vtkmodules.vtkCommonDataModel import (vtkImageData, vtkPiecewiseFunction, vtkPolyData,
                                            vtkRectilinearGrid, vtkTable, vtkUnstructuredGrid)
+from vtkmodules.vtkFiltersCore import vtkAppendFilter
 
 from limpid.vtkLimpidFilters import vtkExtinctionOptimizer
 
@@ -672,17 +673,34 @@ class TestDegenerateInput(OptimizerTest):
     def test_no_points(self):
         self.assert_refuses("no points", filter_=optimizer(vtkImageData()))
 
-    def test_composite_data_are_refused_whole(self):
-        blocks = blocks_of(phantom(12), phantom(12))
-        self.assert_refuses("vtkMultiBlockDataSet", "Extract Block", "Merge Blocks",
-                            "Resample To Image", filter_=optimizer(blocks))
+    def test_other_data_have_the_results_of_their_image_at_their_points(self):
+        expected = self.run_filter(phantom(24))
+        meshes = vtkAppendFilter()
+        meshes.SetInputData(phantom(24))
+        meshes.Update()
+        for data in (meshes.GetOutput(), blocks_of(meshes.GetOutput(), phantom(24))):
+            result = optimizer(data)
+            result.Update()
+            self.assertEqual(result.messages["ErrorEvent"], [])
+            output = result.GetOutputDataObject(0)
+            self.assertEqual(output.GetClassName(), data.GetClassName())
+            score = output.GetFieldData().GetArray("VisibilityScore").GetValue(0)
+            self.assertAlmostEqual(score / number(expected, "VisibilityScore"), 1, delta=1e-3)
+            self.assertEqual(output.GetFieldData().GetAbstractArray("SampledAt").GetValue(0),
+                             "sampled at 24 x 24 x 24 points")
+            for leaf in [output] if data is meshes.GetOutput() else [output.GetBlock(0), output.GetBlock(1)]:
+                for name in ("Extinction", "Transmittance", "MissedImportance"):
+                    largest = values(expected, name).max()
+                    np.testing.assert_allclose(values(leaf, name).mean(), values(expected, name).mean(),
+                                               atol=1e-3 * largest)
+            self.assertIsNone(phantom(24).GetPointData().GetArray("Extinction"))
 
-    def test_data_of_other_kinds_are_refused_with_what_makes_an_image_of_them(self):
+    def test_data_without_a_volume_are_refused(self):
         for kind in (vtkUnstructuredGrid, vtkPolyData, vtkRectilinearGrid, vtkTable):
             with self.subTest(kind=kind.__name__):
                 result = optimizer(kind())
                 executive = caught(result.GetExecutive())
-                self.assert_refuses(kind.__name__, "Resample To Image", filter_=result)
+                self.assert_refuses(kind.__name__, "without cells that have a volume", filter_=result)
                 self.assertEqual(len(executive), 1, executive)  # that the request has failed
                 self.assertIn("returned failure", executive[0])
 

@@ -812,7 +812,7 @@ class TestDegenerateInput(SearchTest):
     def test_data_of_other_kinds_and_parts_of_images_are_refused(self):
         result = search(vtkUnstructuredGrid())
         executive = caught(result.GetExecutive())
-        self.assert_refuses("vtkUnstructuredGrid", "no volume", filter_=result)
+        self.assert_refuses("vtkUnstructuredGrid", "without cells", filter_=result)
         self.assertEqual(len(executive), 1, executive)  # that the request has failed
         part = PartOf(phantom(12), (0, 11, 0, 11, 0, 8))
         self.assert_refuses("0..11 0..11 0..8", "uninitialized",
