@@ -5,6 +5,7 @@
 
 #include "Memory.h"
 
+#include "vtkBoundingBox.h"
 #include "vtkCell.h"
 #include "vtkCellData.h"
 #include "vtkCompositeDataIterator.h"
@@ -14,9 +15,9 @@
 #include "vtkIdList.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
-#include "vtkUniformGrid.h"
-#include "vtkUniformGridAMR.h"
 #include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
 
 namespace limpid
 {
@@ -39,6 +40,19 @@ bool IsFilled(vtkDataSet* leaf)
   return leaf && leaf->GetNumberOfPoints() > 0 && leaf->GetNumberOfCells() > 0;
 }
 
+// Returns the length of the first cell of a leaf.
+double CellLengthOf(const Leaf& leaf)
+{
+  double bounds[6];
+  leaf->GetCellBounds(0, bounds);
+  return vtkBoundingBox(bounds).GetDiagonalLength();
+}
+
+// Returns whether data have levels, each with cells of one size.
+bool HasLevels(vtkDataObject* data)
+{
+  return data && (data->IsA("vtkOverlappingAMR") || data->IsA("vtkNonOverlappingAMR"));
+}
 }
 
 std::vector<Leaf> LeavesOf(vtkDataObject* data)
@@ -52,17 +66,6 @@ std::vector<Leaf> LeavesOf(vtkDataObject* data)
       leaves.push_back(leaf);
     }
   };
-  if (auto* levels = vtkUniformGridAMR::SafeDownCast(data))
-  {
-    for (unsigned level = levels->GetNumberOfLevels(); level-- > 0;)
-    {
-      for (unsigned block = 0; block < levels->GetNumberOfDataSets(level); ++block)
-      {
-        add(levels->GetDataSet(level, block));
-      }
-    }
-    return leaves;
-  }
   auto* blocks = vtkCompositeDataSet::SafeDownCast(data);
   if (!blocks)
   {
@@ -71,35 +74,28 @@ std::vector<Leaf> LeavesOf(vtkDataObject* data)
   }
   vtkSmartPointer<vtkCompositeDataIterator> block;
   block.TakeReference(blocks->NewIterator());
-  block->SkipEmptyNodesOn();
   for (block->InitTraversal(); !block->IsDoneWithTraversal(); block->GoToNextItem())
   {
     add(block->GetCurrentDataObject());
   }
+  if (HasLevels(data))
+  {
+    std::stable_sort(leaves.begin(), leaves.end(),
+      [](const Leaf& one, const Leaf& other)
+      { return CellLengthOf(one) < 0.75 * CellLengthOf(other); });
+  }
   return leaves;
 }
 
-std::vector<Leaf> FinestOf(vtkDataObject* data, const std::vector<Leaf>& leaves)
+std::vector<Leaf> FinestOf(vtkDataObject* data)
 {
-  auto* levels = vtkUniformGridAMR::SafeDownCast(data);
-  if (!levels)
+  std::vector<Leaf> leaves = LeavesOf(data);
+  if (HasLevels(data) && !leaves.empty())
   {
-    return leaves;
-  }
-  for (unsigned level = levels->GetNumberOfLevels(); level-- > 0;)
-  {
-    std::vector<Leaf> finest;
-    for (unsigned block = 0; block < levels->GetNumberOfDataSets(level); ++block)
-    {
-      if (IsFilled(levels->GetDataSet(level, block)))
-      {
-        finest.emplace_back(levels->GetDataSet(level, block));
-      }
-    }
-    if (!finest.empty())
-    {
-      return finest;
-    }
+    const double most = CellLengthOf(leaves.front()) / 0.75;
+    leaves.erase(std::remove_if(leaves.begin(), leaves.end(),
+                   [most](const Leaf& leaf) { return CellLengthOf(leaf) > most; }),
+      leaves.end());
   }
   return leaves;
 }

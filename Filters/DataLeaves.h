@@ -28,7 +28,7 @@ constexpr const char* hiddenCells = "LimpidHidden";
 std::vector<Leaf> LeavesOf(vtkDataObject* data);
 
 /// Returns those of the finest level; all, if there are no levels.
-std::vector<Leaf> FinestOf(vtkDataObject* data, const std::vector<Leaf>& leaves);
+std::vector<Leaf> FinestOf(vtkDataObject* data);
 
 /// Returns the number of cells.
 vtkIdType CellsOf(const std::vector<Leaf>& leaves);

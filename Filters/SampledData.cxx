@@ -362,7 +362,7 @@ private:
 SampledData SampleData(vtkDataObject* data, const DataSampling& sampling, const Communicator& ranks)
 {
   const std::vector<Leaf> leaves = LeavesOf(data);
-  const WholeData whole = Survey(ranks, leaves, FinestOf(data, leaves));
+  const WholeData whole = Survey(ranks, leaves, FinestOf(data));
   LIMPID_REQUIRE(whole.cell[0] > 0 && whole.cell[1] > 0 && whole.cell[2] > 0,
     "The input is a " << (data ? data->GetClassName() : "null pointer")
                       << " without cells that have a volume (there is nothing inside to be shown). "
