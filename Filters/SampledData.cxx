@@ -110,11 +110,32 @@ WholeData Survey(
   return whole;
 }
 
-vtkIdType PointsInMemory(const Communicator& ranks)
+// The arrays of data, which all ranks know.
+struct Catalog
 {
-  constexpr double bytes = 100; // of a point, with everything that is made of it
+  std::vector<SampledArray> ofPoints;
+  std::vector<SampledArray> ofCells;
+
+  double BytesOfPoint() const
+  {
+    double bytes = 0;
+    for (const std::vector<SampledArray>* arrays : { &this->ofPoints, &this->ofCells })
+    {
+      for (const SampledArray& array : *arrays)
+      {
+        bytes += double(array.components) * vtkDataArray::GetDataTypeSize(array.type);
+      }
+    }
+    return bytes;
+  }
+};
+
+vtkIdType PointsInMemory(const Communicator& ranks, const Catalog& catalog)
+{
+  constexpr double made = 80; // bytes of a point in what a display makes of it
   constexpr double share = 0.7;
   constexpr double most = 1U << 29U;
+  const double bytes = made + catalog.BytesOfPoint();
   auto points = static_cast<std::int32_t>(std::min(share * AvailableMemory() / bytes, most));
   ranks.TakeLeast(&points, 1);
   return points;
@@ -270,9 +291,11 @@ Lattice PartAround(const Lattice& whole, const std::vector<Leaf>& leaves)
 class Sampler
 {
 public:
-  Sampler(const Communicator& ranks, const std::vector<Leaf>& leaves, const Lattice& whole)
+  Sampler(const Communicator& ranks, const std::vector<Leaf>& leaves, const Catalog& catalog,
+    const Lattice& whole)
     : Ranks(ranks)
     , Leaves(leaves)
+    , Arrays(catalog)
     , Here(ranks.IsAlone() ? whole : PartAround(whole, leaves))
     , Piece(ranks.IsAlone() ? whole : PieceOf(whole, ranks))
   {
@@ -296,8 +319,7 @@ public:
 private:
   LatticeSamples SamplePoints(const std::set<std::string>& labels) const
   {
-    const std::vector<SampledArray> arrays =
-      CatalogOf(this->Ranks, this->Leaves, vtkDataObject::POINT);
+    const std::vector<SampledArray>& arrays = this->Arrays.ofPoints;
     LatticeSamples samples(this->Here, arrays);
     for (const Leaf& leaf : this->Leaves)
     {
@@ -318,8 +340,7 @@ private:
 
   LatticeSamples SampleCells() const
   {
-    const std::vector<SampledArray> arrays =
-      CatalogOf(this->Ranks, this->Leaves, vtkDataObject::CELL);
+    const std::vector<SampledArray>& arrays = this->Arrays.ofCells;
     LatticeSamples centres(this->Here.OfCells(), arrays);
     if (arrays.empty())
     {
@@ -354,6 +375,7 @@ private:
 
   const Communicator& Ranks;
   const std::vector<Leaf>& Leaves;
+  const Catalog& Arrays;
   Lattice Here;  ///< where this process has data
   Lattice Piece; ///< of the image, that this process gets
 };
@@ -369,7 +391,10 @@ SampledData SampleData(vtkDataObject* data, const DataSampling& sampling, const 
                          "Give data with cells of three dimensions.");
   const std::array<int, 3> finest =
     DimensionsFor(whole.box, whole.cell, std::numeric_limits<vtkIdType>::max());
-  const vtkIdType most = sampling.mostPoints > 0 ? sampling.mostPoints : PointsInMemory(ranks);
+  const Catalog catalog{ CatalogOf(ranks, leaves, vtkDataObject::POINT),
+    CatalogOf(ranks, leaves, vtkDataObject::CELL) };
+  const vtkIdType most =
+    sampling.mostPoints > 0 ? sampling.mostPoints : PointsInMemory(ranks, catalog);
   std::array<int, 3> dimensions = DimensionsFor(whole.box, whole.cell, most);
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
@@ -384,7 +409,7 @@ SampledData SampleData(vtkDataObject* data, const DataSampling& sampling, const 
   }
   const Lattice lattice = LatticeOver(whole.box, dimensions);
   result.extent = lattice.extent;
-  result.image = Sampler(ranks, leaves, lattice).Image(sampling.labels);
+  result.image = Sampler(ranks, leaves, catalog, lattice).Image(sampling.labels);
   return result;
 }
 
