@@ -118,7 +118,7 @@ def main():
     parser.add_argument("--output", required=True)
     parser.add_argument("--size", type=int, default=260)
     arguments = parser.parse_args()
-    simple.LoadPlugin(arguments.plugin, remote=False, ns=vars(simple))
+    simple.LoadPlugin(os.path.abspath(arguments.plugin), remote=False, ns=vars(simple))
     columns = list(pictures(arguments.size))
     rows = [[cells[row] for _, cells in columns] for row in range(2)]
     figure = picture_grid.compose(rows, [title for title, _ in columns], ["ordinary", "optimized"])

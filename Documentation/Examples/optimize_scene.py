@@ -163,7 +163,7 @@ def main():
     parser.add_argument("--output", required=True)
     parser.add_argument("--scene")
     arguments = parser.parse_args()
-    simple.LoadPlugin(arguments.plugin, remote=False, ns=vars(simple))
+    simple.LoadPlugin(os.path.abspath(arguments.plugin), remote=False, ns=vars(simple))
     os.makedirs(arguments.output, exist_ok=True)
 
     def output(name):

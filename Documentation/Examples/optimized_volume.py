@@ -8,12 +8,13 @@
 Without a display: xvfb-run pvpython ...
 """
 
+import os
 import sys
 
 from paraview.simple import *
 
 plugin, picture = sys.argv[1:]
-LoadPlugin(plugin, remote=False, ns=globals())
+LoadPlugin(os.path.abspath(plugin), remote=False, ns=globals())
 
 # A head: skin, bone and brain around vessels and a tumour, and how important each of them is.
 head = OcclusionPhantom(Scene="Head")

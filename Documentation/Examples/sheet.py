@@ -36,7 +36,7 @@ def picture_of(view):
 def draw(arguments, across, size, pictures):
     """Draws `across` pictures of `size` inches for every scene: pictures(scene) yields a title and a
     picture each."""
-    simple.LoadPlugin(arguments.plugin, remote=False, ns=vars(simple))
+    simple.LoadPlugin(os.path.abspath(arguments.plugin), remote=False, ns=vars(simple))
     rows = [scenes.read_scene(simple, path) for path in arguments.scenes]
     rows = rows or [scenes.phantom_scene(simple)]
     figure, axes = pyplot.subplots(len(rows), across, squeeze=False, facecolor="white",

@@ -43,7 +43,7 @@ def main():
     parser.add_argument("--protect", type=float, default=1)
     parser.add_argument("scenes", nargs="*")
     arguments = parser.parse_args()
-    simple.LoadPlugin(arguments.plugin, remote=False, ns=vars(simple))
+    simple.LoadPlugin(os.path.abspath(arguments.plugin), remote=False, ns=vars(simple))
 
     print("| scene |" + 3 * " S, visible, variation, iterations |")
     rows = [scenes.read_scene(simple, path) for path in arguments.scenes]

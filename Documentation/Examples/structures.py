@@ -10,6 +10,7 @@ Limpid and with it, of at most how much from there, and what was removed of it. 
 share of it that should be visible, such as 0.9.
 """
 
+import os
 import sys
 
 from paraview.simple import *
@@ -58,7 +59,7 @@ def show(both, scalars, labels, rows, size, zoom=1.0):
 
 
 def main(plugin, image, labels, picture, *structures):
-    LoadPlugin(plugin, remote=False, ns=globals())
+    LoadPlugin(os.path.abspath(plugin), remote=False, ns=globals())
     both, scalars, labels = read(image, labels)
     rows = rows_of(structures)
     view, display = show(both, scalars, labels, rows, [640, 480])

@@ -58,7 +58,7 @@ def main():
     parser.add_argument("--output", required=True)
     parser.add_argument("files", nargs=2)
     arguments = parser.parse_args()
-    simple.LoadPlugin(arguments.plugin, remote=False, ns=vars(structures))
+    simple.LoadPlugin(os.path.abspath(arguments.plugin), remote=False, ns=vars(structures))
     view, display = structures.show(
         *structures.read(*arguments.files), structures.rows_of(ORGANS), SIZE, ZOOM)
     simple.LoadPalette("WhiteBackground")

@@ -255,7 +255,7 @@ def main():
     parser.add_argument("--scene")
     parser.add_argument("--directions", type=int, default=642)
     arguments = parser.parse_args()
-    simple.LoadPlugin(arguments.plugin, remote=False, ns=vars(simple))
+    simple.LoadPlugin(os.path.abspath(arguments.plugin), remote=False, ns=vars(simple))
 
     if arguments.scene:
         scene = scenes.read_scene(simple, arguments.scene)

@@ -259,7 +259,7 @@ def parser(description):
 
 def start(arguments):
     """Loads the plugin and finds out what is there; says what is not."""
-    simple.LoadPlugin(arguments.plugin, remote=False, ns=vars(simple))
+    simple.LoadPlugin(os.path.abspath(arguments.plugin), remote=False, ns=vars(simple))
     os.makedirs(arguments.output, exist_ok=True)
     files = {os.path.basename(path).split(".")[0]: path for path in arguments.scenes}
     strange = sorted(set(files) - set(SCENES))
