@@ -248,6 +248,10 @@ void LatticeSamples::TakeIntoRanges(const std::vector<Leaf>& leaves, int associa
 {
   for (const vtkSmartPointer<vtkDataArray>& array : this->Arrays)
   {
+    if (array->GetNumberOfComponents() != 1)
+    {
+      continue;
+    }
     double least = 0; // outside of all cells
     double most = 0;
     for (const Leaf& leaf : leaves)
@@ -261,10 +265,6 @@ void LatticeSamples::TakeIntoRanges(const std::vector<Leaf>& leaves, int associa
         least = std::min(least, low);
         most = std::max(most, high);
       }
-    }
-    if (array->GetNumberOfComponents() != 1)
-    {
-      continue;
     }
     ForOnAllCores(array->GetNumberOfTuples(),
       [&](vtkIdType begin, vtkIdType end)

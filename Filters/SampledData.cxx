@@ -45,6 +45,16 @@ struct WholeData
   std::array<double, 3> cell{}; ///< median extents of cells
 };
 
+vtkBoundingBox BoxOf(const std::vector<Leaf>& leaves)
+{
+  vtkBoundingBox box;
+  for (const Leaf& leaf : leaves)
+  {
+    box.AddBounds(leaf->GetBounds());
+  }
+  return box;
+}
+
 double MedianOf(std::vector<double>& values)
 {
   const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
@@ -69,11 +79,7 @@ WholeData Survey(
   const auto own = std::size_t(ranks.Rank());
   WholeData whole;
   std::vector<double> bounds(6 * size, 0.0);
-  vtkBoundingBox box;
-  for (const Leaf& leaf : leaves)
-  {
-    box.AddBounds(leaf->GetBounds());
-  }
+  const vtkBoundingBox box = BoxOf(leaves);
   if (box.IsValid())
   {
     box.GetBounds(&bounds[6 * own]);
@@ -273,16 +279,12 @@ Lattice PieceOf(const Lattice& whole, const Communicator& ranks)
 // Returns the part of a lattice in which the leaves are.
 Lattice PartAround(const Lattice& whole, const std::vector<Leaf>& leaves)
 {
-  vtkBoundingBox box;
-  for (const Leaf& leaf : leaves)
-  {
-    box.AddBounds(leaf->GetBounds());
-  }
-  double bounds[6] = { 1, 0, 1, 0, 1, 0 };
+  const vtkBoundingBox box = BoxOf(leaves);
   if (!box.IsValid())
   {
     return whole.Within({ { 0, -1, 0, -1, 0, -1 } });
   }
+  double bounds[6];
   box.GetBounds(bounds);
   return whole.Around(bounds);
 }

@@ -5,11 +5,9 @@
 
 #include "Abort.h"
 #include "ControllerRanks.h"
-#include "InputArrays.h"
 #include "Memory.h"
 #include "PropertyPrinter.h"
 #include "SampledData.h"
-#include "StructureLabels.h"
 #include "StructureTable.h"
 
 #include "vtkExtentTranslator.h"
@@ -211,9 +209,7 @@ int vtkExtinctionOptimizer::RequestOfMesh(
   {
     limpid::RequirePoints(input);
     this->State->Ranks = limpid::ThisProcess();
-    limpid::DataSampling sampling;
-    sampling.labels = { limpid::ChosenName(this, limpid::structureArray) };
-    const limpid::SampledData sampled = limpid::SampleData(input, sampling, *this->State->Ranks);
+    const limpid::SampledData sampled = this->State->Reader.Sample(input, *this->State->Ranks);
     const vtkSmartPointer<vtkInformationVector> image = limpid::WithImage(inputVector[0], sampled);
     vtkInformationVector* inputs = image;
     vtkNew<vtkImageData> result;

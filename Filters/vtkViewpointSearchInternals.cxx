@@ -6,12 +6,10 @@
 #include "Abort.h"
 #include "AllCores.h"
 #include "Choices.h"
-#include "InputArrays.h"
 #include "OptimizedViews.h"
 #include "SampledData.h"
 #include "SearchReport.h"
 #include "SettingsConversion.h"
-#include "StructureLabels.h"
 #include "Vectors.h"
 #include "ViewpointData.h"
 
@@ -152,9 +150,7 @@ void vtkViewpointSearch::Internals::SearchAny(
   {
     return;
   }
-  limpid::DataSampling sampling;
-  sampling.labels = { limpid::ChosenName(this->Self, limpid::structureArray) };
-  const limpid::SampledData sampled = limpid::SampleData(data, sampling, *this->Ranks);
+  const limpid::SampledData sampled = this->Reader.Sample(data, *this->Ranks);
   const vtkSmartPointer<vtkInformationVector> image = limpid::WithImage(inputVector[0], sampled);
   vtkInformationVector* inputs = image;
   this->Search(&inputs, isLaterPiece, outputs);

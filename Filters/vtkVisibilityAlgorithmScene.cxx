@@ -110,6 +110,14 @@ vtkImageData* vtkVisibilityAlgorithm::SceneReader::RequireWholeImage(
   return input;
 }
 
+limpid::SampledData vtkVisibilityAlgorithm::SceneReader::Sample(
+  vtkDataObject* data, const limpid::Communicator& ranks) const
+{
+  limpid::DataSampling sampling;
+  sampling.labels = { limpid::ChosenName(this->Self, limpid::structureArray) };
+  return limpid::SampleData(data, sampling, ranks);
+}
+
 void vtkVisibilityAlgorithm::SceneReader::RequireUnitDistance() const
 {
   const double unitDistance = this->Self->ScalarOpacityUnitDistance;

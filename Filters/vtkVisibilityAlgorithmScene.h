@@ -6,6 +6,7 @@
 #ifndef vtkVisibilityAlgorithmScene_h
 #define vtkVisibilityAlgorithmScene_h
 
+#include "SampledData.h"
 #include "SceneConversion.h"
 #include "SharedImage.h"
 #include "StartingImportance.h"
@@ -49,6 +50,9 @@ struct vtkVisibilityAlgorithm::SceneReader
 
   /// Returns the input. Throws if it is missing or is not the whole image.
   vtkImageData* RequireWholeImage(vtkInformationVector** inputVector) const;
+
+  /// Samples data that are no image, with the labels that were chosen. Collective.
+  limpid::SampledData Sample(vtkDataObject* data, const limpid::Communicator& ranks) const;
 
   /// Throws if the unit distance is not a valid distance.
   void RequireUnitDistance() const;

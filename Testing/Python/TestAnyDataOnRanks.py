@@ -17,27 +17,7 @@ simple.LoadPlugin(os.environ["LIMPID_PLUGIN"], remote=False, ns=vars(simple))
 PROCESSES = simple.servermanager.vtkProcessModule.GetProcessModule().GetNumberOfLocalPartitions()
 
 
-class TestAnyDataOnRanks(displays.DisplayTest):
-    def shown(self, source, array=("POINTS", "Scalars"), **settings):
-        display = displays.show(source, self.view, array=array)
-        for name, value in settings.items():
-            setattr(display, name, value)
-        picture = pictures.take(self.view)
-        display.UpdatePropertyInformation()
-        simple.Hide(source, self.view)
-        return display, picture
-
-    def assert_alike(self, sources, image, array=("POINTS", "Scalars"), **settings):
-        expected, picture = self.shown(image, array, **settings)
-        for name, source in sources.items():
-            with self.subTest(name):
-                display, same = self.shown(source, array, **settings)
-                self.assertEqual(display.SampledAt, "sampled at 32 x 32 x 32 points")
-                self.assertEqual(display.Messages, "")
-                self.assertAlmostEqual(display.VisibilityScore / expected.VisibilityScore, 1, delta=0.005)
-                self.assertAlmostEqual(display.VisibleFraction / expected.VisibleFraction, 1, delta=0.005)
-                self.assertLess(abs(same - picture).mean(), 1)
-
+class TestAnyDataOnRanks(displays.SampledDisplayTest):
     def test_there_are_several_processes(self):
         self.assertGreater(PROCESSES, 1)
 

@@ -10,6 +10,8 @@ import unittest
 
 from paraview import simple
 
+import pictures
+
 BACKGROUND = [0.1, 0.2, 0.3]
 # Where the head is looked at from: in front, above, behind and below.
 POSITIONS = [[1.9, -4.7, 1.5], [0.5, -2.0, 4.8], [-3.0, 3.5, -2.2]]
@@ -125,3 +127,30 @@ class DisplayTest(unittest.TestCase):
     def setUp(self):
         clear()
         self.view = new_view()
+
+
+class SampledDisplayTest(DisplayTest):
+    """Data that are no image, compared with an image of 32 x 32 x 32 points of the same field."""
+
+    def shown(self, source, array=("POINTS", "Scalars"), **settings):
+        """The display of a source, and its picture."""
+        display = show(source, self.view, array=array)
+        for name, value in settings.items():
+            setattr(display, name, value)
+        picture = pictures.take(self.view)
+        display.UpdatePropertyInformation()
+        simple.Hide(source, self.view)
+        return display, picture
+
+    def assert_alike(self, sources, image, array=("POINTS", "Scalars"), **settings):
+        """Sources, by names, have the image's picture and scores."""
+        expected, picture = self.shown(image, array, **settings)
+        self.assertEqual(expected.SampledAt, "")
+        for name, source in sources.items():
+            with self.subTest(name):
+                display, same = self.shown(source, array, **settings)
+                self.assertEqual(display.SampledAt, "sampled at 32 x 32 x 32 points")
+                self.assertEqual(display.Messages, "")
+                self.assertAlmostEqual(display.VisibilityScore / expected.VisibilityScore, 1, delta=0.005)
+                self.assertAlmostEqual(display.VisibleFraction / expected.VisibleFraction, 1, delta=0.005)
+                self.assertLess(abs(same - picture).mean(), 1)

@@ -326,11 +326,11 @@ private:
     {
       this->Floats.Take(this->Device, std::move(field.mended), what);
     }
-    else if (!AnyDevice::readsHostMemory && field.values.Bits() == 32)
+    else if (BorrowedArray<AnyDevice, float>::isCopy && field.values.Bits() == 32)
     {
       this->Floats.Borrow(this->Device, field.values.Floats(), count, what);
     }
-    else if (!AnyDevice::readsHostMemory)
+    else if (BorrowedArray<AnyDevice, float>::isCopy)
     {
       this->Floats.Take(this->Device, FloatsOf(field.values, Index(count)), what);
     }
