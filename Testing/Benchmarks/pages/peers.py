@@ -101,8 +101,8 @@ def in_short(results):
         time_ratios.append(fastest["gradient_cpu"] / ours["gradient_cpu"])
         plain_ratios.append(fastest["gradient_cpu"] / off["gradient_cpu"])
         memory_ratios.append(min(row["peak_bytes"] for row in peers) / ours["peak_bytes"])
-    return (f"Its fastest variant takes {span(time_ratios)} times as long for a value and gradient, "
-            f"{span(plain_ratios)} times with skips off. Its smallest variant needs "
+    return (f"The fastest variant takes {span(time_ratios)} times as long for a value and gradient, "
+            f"{span(plain_ratios)} times with skips off. The smallest variant needs "
             f"{span(memory_ratios)} times the memory.")
 
 

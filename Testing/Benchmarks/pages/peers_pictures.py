@@ -50,7 +50,7 @@ extinction per voxel (scatter 1, absorb 0, gain 0), so its optical depths are th
 its picture is white. Its light is directional. It has no switch for shadows. With a shadow step beyond
 the volume, a ray to the light is still set up at every sample, but without samples along it. With
 shadows it samples every third voxel, its default, from the first such step on. Limpid and VTK sample
-every voxel. Its rays are fast where they end at a surface. The rows *opaque* give it extinctions per
+every voxel. The rays of vdb_render are fast if they end at a surface. The rows *opaque* give it extinctions per
 unit of length, which is another scene. Shading differs: VTK uses Phong shading at every sample, Limpid
 single scattering (Eqs. (3)-(6)). By default Limpid draws 0.7 of a shadow, and 0.35 of its light comes
 from all sides, so its pictures are brighter. A slow program draws one picture, including the
