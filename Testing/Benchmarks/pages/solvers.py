@@ -86,8 +86,8 @@ def time_of_runs(scenes, measured):
     return f"""
 ## Time
 
-The policy has default settings, camera and light, {measured['machine']['threads']} threads. The \
-numbers are wall times, medians of {measured['options']['repeats']:g} runs with skips on and off in \
+The policy runs with default settings, for camera and light, on \
+{measured['machine']['threads']} threads. The numbers are wall times, medians of {measured['options']['repeats']:g} runs with skips on and off in \
 turns, after a warm-up of each. Setup ends with score and energy of the base extinction. Spread is the \
 slowest minus the fastest whole run, over the median. Much more than 10 % means that the machine was \
 busy.
