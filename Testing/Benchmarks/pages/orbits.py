@@ -18,9 +18,9 @@ def page(measured):
     return head("Orbits", measured, "python3 Testing/Benchmarks/orbits.py") + f"""
 The table has the mean S over {measured['views']} views round the y axis, 20 degrees above the horizon \
 and three radii away, with a fixed light. *Ordinary* is the unchanged volume, *each* an optimum for each \
-view, and *one* one extinction for all (`Views` is *Orbit*). Sweeps are those of one camera. Time is that \
-of the run for all views over that of the runs for each view together, including everything in the \
-filter.
+view, and *one* one extinction for all (`Views` is *Orbit*). Sweeps are those of one camera. Time is the \
+time of the run for all views, relative to the total time of the runs for each view. Both include \
+everything in the filter.
 """ + table(scenes, [("scene", str),
                      *[(heading, lambda name, key=key: significant(of(name, key), 4))
                        for heading, key in (("ordinary", "ordinary"), ("each", "single"),
