@@ -15,8 +15,8 @@ CAMERA = """
 
 The table has S of the camera (Eq. (32)) of the onion scene and its derivative by the extinction of
 every node. Mitsuba can be made to compute this term, too. {threads}. *Error of S* is relative to the
-march. *Error of slopes* is that of the derivatives along three directions from central differences of
-the march: the length of the error over their length. For Mitsuba, both are root mean squares of
+march. *Error of slopes* compares the derivatives along three directions with central differences of the
+march. It is the length of the error over their length. For Mitsuba, both are root mean squares of
 {repeats} evaluations with new random numbers. *Noise* is that of the derivative at single nodes, over
 the derivative. *CPU to Limpid's error* is the time to reach the error of Limpid: that of S by values,
 that of slopes by values and gradients. It assumes that errors fall with the root of the number of
