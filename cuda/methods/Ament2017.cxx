@@ -120,7 +120,7 @@ struct KeptNode
 };
 
 /// One pass of smoothing, see FindAment2017.
-struct SmoothedNode
+struct SmoothedDensity
 {
   Int3 nodes;
   const float* base;
@@ -207,7 +207,7 @@ void FindAment2017(const MethodScene<AnyDevice>& scene, float* extinction)
   for (int pass = 0; pass < weights.smoothingPasses; ++pass)
   {
     scene.device->ForNodes(
-      "smooth", scene.grid.nodes, SmoothedNode{ scene.grid.nodes, scene.base, share, other });
+      "smooth", scene.grid.nodes, SmoothedDensity{ scene.grid.nodes, scene.base, share, other });
     std::swap(share, other);
   }
   scene.device->ForIndices("shown extinction", count, ShownNode{ share, extinction });
