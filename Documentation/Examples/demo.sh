@@ -51,13 +51,39 @@ if ((${#scenes[@]} > 0)); then
   python3 "$examples/scene_file.py" "${scenes[@]}"
 fi
 mkdir -p "$output"
-echo "Installing what is missing and building (details in $output/build.log) ..."
-bash "$root/Testing/build.sh" > "$output/build.log" 2>&1 || {
+
+# Runs a command with its output in a file; meanwhile says how far it is: every second on a terminal,
+# every half minute elsewhere. The last line of the file is what the command is doing.
+with_progress() {
+  local log="$1" pause=30 ending='\n' clear=
+  shift
+  if [[ -t 1 ]]; then
+    pause=1 ending= clear='\r\e[K'
+  fi
+  local start=$SECONDS next=$((SECONDS + pause))
+  "$@" > "$log" 2>&1 &
+  local command=$!
+  while kill -0 "$command" 2> /dev/null; do
+    sleep 1
+    if ((SECONDS >= next)); then
+      next=$((SECONDS + pause))
+      printf "$clear%3d:%02d  %s$ending" $(((SECONDS - start) / 60)) $(((SECONDS - start) % 60)) \
+        "$(tail -1 "$log" | tr -d '\r' | cut -c -90)"
+    fi
+  done
+  printf "$clear"
+  wait "$command"
+}
+
+echo "1 of 2: installing what is missing and building. The first time, this takes 5 to 10 minutes on two" \
+  "cores (details in $output/build.log)."
+with_progress "$output/build.log" bash "$root/Testing/build.sh" || {
   tail -40 "$output/build.log" >&2
-  echo "The build failed; all that it said is in $output/build.log." >&2
+  echo "The build failed; its whole output is in $output/build.log." >&2
   exit 1
 }
 plugin="$(tail -1 "$output/build.log")"
+echo "2 of 2: optimising, searching viewpoints and making pictures, about a minute per scene."
 
 show() {
   bash "$root/Testing/with-display.sh" pvpython "$examples/optimize_scene.py" \
