@@ -5,6 +5,7 @@
 
 #include "Abort.h"
 #include "ControllerRanks.h"
+#include "Log.h"
 #include "Memory.h"
 #include "PropertyPrinter.h"
 #include "SampledData.h"
@@ -268,6 +269,8 @@ void vtkExtinctionOptimizer::Optimize(vtkInformationVector** inputVector, vtkIma
     state.ReportReplaced(scene, input, output);
     return;
   }
+  limpidLogScope("Extinction Optimizer: %d x %d x %d points", scene.grid.nodes.x,
+    scene.grid.nodes.y, scene.grid.nodes.z);
   const bool isOther = state.AnyRank(input->GetMTime() != state.LastTime);
   state.LastChange.likeness = isOther ? limpid::likenessInTime : 1;
   state.LastTime = input->GetMTime();
@@ -287,6 +290,9 @@ void vtkExtinctionOptimizer::Optimize(vtkInformationVector** inputVector, vtkIma
       result.solver->SharesOf(targets->structures, scene.arrays.structureRows->GetPointer(0));
     targets->text = limpid::TextOfTargets(targets->structures, targets->shares);
   }
+  limpidLog("%s; %d iterations; %.1f %% of the important structures visible, %.1f %% before",
+    summary.backend.c_str(), summary.iterations, 100 * summary.score.fraction,
+    100 * summary.baseScore.fraction);
   limpid::AddSummary(summary, output->GetFieldData());
   limpid::AddPlacement(result.camera, light, scene.unitDistance, output->GetFieldData());
   if (this->OptimizeViewpoint)

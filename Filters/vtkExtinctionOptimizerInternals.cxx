@@ -5,6 +5,7 @@
 
 #include "Abort.h"
 #include "ControllerRanks.h"
+#include "Log.h"
 #include "OwnArrays.h"
 #include "SettingsConversion.h"
 #include "StructureTable.h"
@@ -101,6 +102,9 @@ const limpid::ControlGrid& vtkExtinctionOptimizer::Internals::ChooseControl(
           settings, scene.grid, *limpid::OrWhole(scene.piece, scene.grid), { ofData, all - ofData })
       : limpid::ControlGrid();
     this->ControlIsFor = what.str();
+    constexpr double gigabyte = 1e9;
+    limpidLog("%s, %.2f GB of memory needed", this->Control.Text().c_str(),
+      this->Control.bytes / gigabyte);
   }
   return this->Control;
 }
@@ -244,6 +248,7 @@ limpid::Progress vtkExtinctionOptimizer::Internals::MakeProgress() const
 {
   return [this](double share, const std::string& text)
   {
+    limpidLog("%s", text.c_str());
     this->Self->SetProgressText(text.c_str());
     this->Self->UpdateProgress(share);
     if (limpid::IsAborted(this->Self))

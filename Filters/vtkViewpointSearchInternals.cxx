@@ -6,6 +6,7 @@
 #include "Abort.h"
 #include "AllCores.h"
 #include "Choices.h"
+#include "Log.h"
 #include "OptimizedViews.h"
 #include "SampledData.h"
 #include "SearchReport.h"
@@ -176,6 +177,8 @@ void vtkViewpointSearch::Internals::Search(
                      << image.grid.nodes.z
                      << " points (it has no volume, so nothing is occluded). Give an image with at "
                         "least two points per axis.");
+  limpidLogScope("Viewpoint Search: %d x %d x %d points, %d directions", image.grid.nodes.x,
+    image.grid.nodes.y, image.grid.nodes.z, this->Self->NumberOfDirections);
   const auto scene = this->Interruptibly(
     [&image] { return std::make_shared<limpid::PreparedScene>(image.Fields()); });
   this->WarnOfSceneWithoutScore(*scene);
@@ -202,6 +205,8 @@ void vtkViewpointSearch::Internals::Search(
     return;
   }
   found.seconds = SecondsSince(start);
+  limpidLog("%s; %zu viewpoints after %.2f s", found.backend.c_str(),
+    found.search.viewpoints.size(), found.seconds);
   if (found.search.viewpoints.empty() && !limpid::IsAborted(this->Self))
   {
     vtkWarningWithObjectMacro(this->Self,

@@ -3,6 +3,7 @@
 
 #include "VolumeView.h"
 
+#include "Log.h"
 #include "OpenGl.h"
 #include "SharedView.h"
 
@@ -339,6 +340,9 @@ std::optional<ViewGeometry> VolumeView::BeginFrame(
 void VolumeView::PrepareFrame(const FrameSettings& frame, const VolumeData& data,
   const ViewGeometry& geometry, FrameMessages& messages)
 {
+  limpidLogScope(
+    "Optimized Volume: %s frame of %d x %d pixels", frame.still ? "still" : "moving",
+    geometry.size[0], geometry.size[1]);
   if (std::exchange(this->RestsOptimized, false))
   {
     this->Optimization.ShowFoundAgain(); // kept pictures do not need what they show
@@ -372,6 +376,11 @@ void VolumeView::PrepareFrame(const FrameSettings& frame, const VolumeData& data
   catch (const Interrupted&)
   {
     result.converged = false;
+  }
+  if (result.measured && result.optimized)
+  {
+    limpidLog("%s; %.1f %% of the important structures visible%s", result.backend.c_str(),
+      100 * result.score.fraction, result.converged ? "" : " so far");
   }
   this->LastResult = result;
 }
