@@ -23,6 +23,7 @@ ControlledScene::ControlledScene(
   this->Prepared = PreparedScene::Make(data);
   this->Coarse = std::make_unique<CoarseScene>(this->Prepared, smoothing, grid,
     data.piece ? PieceOn(*data.piece, data.grid, grid) : ScenePiece::Whole(grid));
+  this->Prepared->FreeNodeImportance();
 }
 
 ControlledScene::~ControlledScene() = default;
@@ -67,7 +68,7 @@ CarriedExtinction ControlledScene::ExtinctionOnData(const Solver& found) const
   CarriedExtinction applied =
     *AppliedTo(this->Prepared->Arrays(), this->Prepared->Majorant(), found.Change());
   const Problem problem =
-    this->Prepared->ProblemFor(found.MainCamera(), found.OnlyLight(), found.Options());
+    this->Prepared->ProblemForBounds(found.MainCamera(), found.OnlyLight(), found.Options());
   problem.TakeIntoBounds(applied.extinction);
   if (applied.hasLight)
   {
@@ -81,11 +82,10 @@ std::unique_ptr<Solver> ControlledScene::OnData(const Solver& found) const
   Settings settings = found.Options();
   settings.maximumIterations = 0;
   settings.iterationsPerLevel = { { 0, 0, 0 } };
-  const CarriedExtinction applied = this->ExtinctionOnData(found);
+  CarriedExtinction applied = this->ExtinctionOnData(found);
   auto solver =
     std::make_unique<Solver>(this->Prepared, found.MainCamera(), found.OnlyLight(), settings);
-  solver->SetInitialExtinction(
-    applied.extinction.data(), applied.hasLight ? applied.light.data() : nullptr);
+  solver->SetInitialExtinction(std::move(applied));
   solver->Run();
   return solver;
 }

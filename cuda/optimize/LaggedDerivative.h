@@ -90,6 +90,15 @@ public:
   /// The last iterate is another one.
   void Outdate() { this->Beside = nullptr; }
 
+  /// Frees its memory.
+  void Clear()
+  {
+    this->Sum = {};
+    this->Pulled = {};
+    this->FilledBy = nullptr;
+    this->Beside = nullptr;
+  }
+
   /// One value per node; null: there are no other terms.
   const float* Data() const { return this->Sum.Data(); }
 

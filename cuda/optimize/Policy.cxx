@@ -158,8 +158,22 @@ public:
     return this->OnHost;
   }
 
+  void KeepOnlyBest() override
+  {
+    for (std::size_t i = 0; i < this->Iterates.size(); ++i)
+    {
+      if (i != this->BestOf)
+      {
+        this->Iterates[i] = {};
+      }
+    }
+    this->Lagged.Clear();
+    this->Resilient.Clear();
+  }
+
   std::vector<float> TakeBest() override
   {
+    this->KeepOnlyBest();
     this->Best();
     return std::move(this->OnHost);
   }

@@ -70,6 +70,11 @@ SceneSurvey Survey(const SceneFields& scene, float mostExtinction, const float* 
   return found;
 }
 
+std::shared_ptr<const NodeValues> Shared(NodeValues&& values)
+{
+  return std::make_shared<const NodeValues>(std::move(values));
+}
+
 /// Returns the despeckled importance, see Despeckle.
 NodeValues DespeckledImportance(const SceneFields& scene)
 {
@@ -207,7 +212,7 @@ PreparedScene::PreparedScene(const SceneFields& given)
   this->LargestExtinction = largest > 0 ? std::max(largest, scene.majorant) : 0.0f;
   this->SomethingImportant = found.importance.largest > 0;
   this->Given.values = importance.values;
-  this->Given.ofNodes = std::move(found.nodeImportance);
+  this->Given.ofNodes = Shared(std::move(found.nodeImportance));
   this->Given.occupancy = std::move(found.occupancy);
 }
 
@@ -216,13 +221,11 @@ bool PreparedScene::SomethingToSee() const
   return this->SomethingImportant && this->LargestExtinction > 0 && this->Fields.grid.HasVolume();
 }
 
-PreparedScene::Important& PreparedScene::ImportantFor(ImportanceSmoothing smoothing)
+/// Scores and ceilings do not need the node importance of the importance as given. It is freed while
+/// there is a despeckled importance.
+PreparedScene::Important& PreparedScene::ImportantFor(ImportanceSmoothing smoothing, bool minimised)
 {
-  if (smoothing == ImportanceSmoothing::Off)
-  {
-    return this->Given;
-  }
-  if (!this->Despeckled)
+  if (smoothing != ImportanceSmoothing::Off && !this->Despeckled)
   {
     const SceneFields& scene = this->Fields;
     auto made = std::make_unique<Important>();
@@ -233,16 +236,42 @@ PreparedScene::Important& PreparedScene::ImportantFor(ImportanceSmoothing smooth
       made->values = made->own.Data();
     }
     SceneSurvey found = Survey(scene, mostExtinction, made->values);
-    made->ofNodes = std::move(found.nodeImportance);
+    made->ofNodes = Shared(std::move(found.nodeImportance));
     made->occupancy = std::move(found.occupancy);
     this->Despeckled = std::move(made);
+    this->Free(this->Given);
   }
-  return *this->Despeckled;
+  Important& important =
+    smoothing == ImportanceSmoothing::Off ? this->Given : *this->Despeckled;
+  if (minimised && !important.ofNodes)
+  {
+    important.ofNodes = this->NodeImportanceOf(important);
+    important.resident = std::make_shared<Resident>(); // cached fields lack the node importance
+  }
+  return important;
+}
+
+/// In a subdomain it stays: the occupancy is made from it.
+void PreparedScene::Free(Important& important) const
+{
+  if (this->Piece().IsWhole())
+  {
+    important.ofNodes = nullptr;
+  }
+}
+
+void PreparedScene::FreeNodeImportance()
+{
+  this->Free(this->Given);
+  if (this->Despeckled)
+  {
+    this->Free(*this->Despeckled);
+  }
 }
 
 const float* PreparedScene::ImportanceFor(ImportanceSmoothing smoothing)
 {
-  return this->ImportantFor(smoothing).values;
+  return this->ImportantFor(smoothing, false).values;
 }
 
 NodeValues PreparedScene::LeastExtinction(const Settings& settings)
@@ -262,6 +291,14 @@ NodeValues PreparedScene::LeastExtinction(const Settings& settings)
   return least;
 }
 
+/// Computes it again if it was freed.
+std::shared_ptr<const NodeValues> PreparedScene::NodeImportanceOf(const Important& important) const
+{
+  return important.ofNodes
+    ? important.ofNodes
+    : Shared(Survey(this->Fields, mostExtinction, important.values).nodeImportance);
+}
+
 /// Returns null for a subdomain: its occupancy depends on the others.
 std::shared_ptr<const Occupancy> PreparedScene::OccupancyOf(Important& important, bool skip) const
 {
@@ -273,7 +310,7 @@ std::shared_ptr<const Occupancy> PreparedScene::OccupancyOf(Important& important
   {
     const SceneFields& scene = this->Fields;
     important.occupancy = std::make_shared<const Occupancy>(
-      scene.grid, scene.baseExtinction, important.ofNodes.Data(), skip);
+      scene.grid, scene.baseExtinction, this->NodeImportanceOf(important)->Data(), skip);
   }
   return important.occupancy;
 }
@@ -281,13 +318,20 @@ std::shared_ptr<const Occupancy> PreparedScene::OccupancyOf(Important& important
 Problem PreparedScene::ProblemFor(
   const Camera& camera, const Light& light, const Settings& settings)
 {
+  return this->MakeProblem(camera, light, settings, true);
+}
+
+Problem PreparedScene::MakeProblem(
+  const Camera& camera, const Light& light, const Settings& settings, bool minimised)
+{
   const SceneFields& scene = this->Fields;
-  Important& important = this->ImportantFor(settings.importanceSmoothing);
+  Important& important = this->ImportantFor(settings.importanceSmoothing, minimised);
   Problem task;
   task.grid = scene.grid;
   task.baseExtinction = scene.baseExtinction;
   task.importance = important.values;
-  task.nodeImportance = important.ofNodes.Data();
+  task.owned = important.ofNodes;
+  task.nodeImportance = important.ofNodes ? important.ofNodes->Data() : nullptr;
   task.occupancy = this->OccupancyOf(important, settings.skipUnneeded);
   task.resident = important.resident;
   task.majorant = this->LargestExtinction;
@@ -297,12 +341,18 @@ Problem PreparedScene::ProblemFor(
   return task;
 }
 
-Problem PreparedScene::ProblemForScores(
+Problem PreparedScene::ProblemForScoresOfIterates(
   const Camera& camera, const Light& light, const Settings& settings)
 {
   Settings wanted = settings;
   wanted.importanceSmoothing = ImportanceSmoothing::Off;
-  Problem task = this->ProblemFor(camera, light, wanted);
+  return this->MakeProblem(camera, light, wanted, false);
+}
+
+Problem PreparedScene::ProblemForScores(
+  const Camera& camera, const Light& light, const Settings& settings)
+{
+  Problem task = this->ProblemForScoresOfIterates(camera, light, settings);
   task.settings.rayDensity = RayDensityOfScores(task);
   task.fine = task.MayHaveThickLayers();
   return task;

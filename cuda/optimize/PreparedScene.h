@@ -74,6 +74,19 @@ public:
   /// any may be thick.
   Problem ProblemForScores(const Camera& camera, const Light& light, const Settings& settings);
 
+  /// Returns a problem for scores with as many rays as iterations have.
+  Problem ProblemForScoresOfIterates(
+    const Camera& camera, const Light& light, const Settings& settings);
+
+  /// Returns a problem for the bounds of an extinction alone.
+  Problem ProblemForBounds(const Camera& camera, const Light& light, const Settings& settings)
+  {
+    return this->MakeProblem(camera, light, settings, false);
+  }
+
+  /// Frees the node importance, which is computed again when a problem to be minimised needs it.
+  void FreeNodeImportance();
+
   /// Returns all pulls of a problem but the regularisation, with references within its bounds.
   /// `before`: the change that temporal coherence pulls to; `found`: see Solver.
   std::vector<PullWithReferences> PullsFor(const CarriedChange& before, const Problem& problem,
@@ -91,14 +104,19 @@ private:
   struct Important
   {
     const float* values = nullptr; ///< [0, 1]
-    NodeValues own;                ///< owner of `values`, unless the caller owns them
-    NodeValues ofNodes;            ///< see NodeImportanceOfFilled
+    NodeValues own; ///< owner of `values`, unless the caller owns them
+    std::shared_ptr<const NodeValues> ofNodes; ///< see NodeImportanceOfFilled; null: freed
     std::shared_ptr<const Occupancy> occupancy;
     std::shared_ptr<Resident> resident = std::make_shared<Resident>();
   };
 
-  Important& ImportantFor(ImportanceSmoothing smoothing);
+  /// `minimised`: whether its node importance is needed.
+  Important& ImportantFor(ImportanceSmoothing smoothing, bool minimised);
+  void Free(Important& important) const;
+  Problem MakeProblem(
+    const Camera& camera, const Light& light, const Settings& settings, bool minimised);
   std::shared_ptr<const Occupancy> OccupancyOf(Important& important, bool skip) const;
+  std::shared_ptr<const NodeValues> NodeImportanceOf(const Important& important) const;
 
   SceneFields Fields;
   Grid OfArrays;

@@ -46,9 +46,8 @@ void PreviewPass::Make(
   this->ForScores.reset();
   this->Given = this->Scene->ProblemFor(camera, light, settings);
   this->Pulls = this->Scene->PullsFor(previous, this->Given, camera, light);
-  Settings judging = settings; // with the same rays: more would take too long
-  judging.importanceSmoothing = ImportanceSmoothing::Off;
-  this->Judged = this->Scene->ProblemFor(camera, light, judging);
+  this->Judged = // more rays would take too long
+    this->Scene->ProblemForScoresOfIterates(camera, light, settings);
   this->Backend.Choose(settings, *this->Scene);
   this->Before.reset();
   this->After.reset();

@@ -58,9 +58,11 @@ struct Problem
   Grid grid;
   const float* baseExtinction = nullptr;      ///< [1/length]
   const float* importance = nullptr;          ///< [0, 1]
-  const float* nodeImportance = nullptr;      ///< see NodeImportanceOfFilled [0, 1]
+  const float* nodeImportance = nullptr;      ///< see NodeImportanceOfFilled [0, 1]; may be null
+                                              ///< where only scores and ceilings are computed
   std::shared_ptr<const Occupancy> occupancy; ///< of base extinction and node importance
   std::shared_ptr<Resident> resident;         ///< null if nothing can be cached
+  std::shared_ptr<const NodeValues> owned;    ///< owner of the node importance, if it has one
   /// The distribution of the fields, see Use.
   std::shared_ptr<const DistributedFields> shared = std::make_shared<const DistributedFields>();
   float majorant = 0;              ///< upper bound of the extinction [1/length]
@@ -209,6 +211,9 @@ public:
     const ExtinctionOnDevice there = this->BestOnDevice();
     return there.extinction ? ExtinctionInPlace(there) : this->Best().data();
   }
+
+  /// Frees what only further iterations need. Afterwards, only the best iterate can be requested.
+  virtual void KeepOnlyBest() {}
 
   /// Moves the best iterate out; this object must not be used afterwards.
   virtual std::vector<float> TakeBest() = 0;

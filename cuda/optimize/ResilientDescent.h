@@ -43,6 +43,13 @@ public:
   {
   }
 
+  /// Frees its memory. BeginAt must come before the next step.
+  void Clear()
+  {
+    this->Gradient = {};
+    this->State = {};
+  }
+
   /// Restarts from an extinction, with short steps.
   void BeginAt(const float* extinction)
   {

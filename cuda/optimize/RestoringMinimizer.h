@@ -48,8 +48,11 @@ public:
     return this->Restored;
   }
 
+  void KeepOnlyBest() override { this->Inner->KeepOnlyBest(); }
+
   std::vector<float> TakeBest() override
   {
+    this->KeepOnlyBest();
     this->Best();
     return std::move(this->Restored);
   }

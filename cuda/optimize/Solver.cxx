@@ -36,18 +36,31 @@ Solver& Solver::operator=(Solver&&) noexcept = default;
 
 void Solver::SetInitialExtinction(const float* extinction, const float* light)
 {
+  const Index count = this->State->scene.ValueCount();
+  CarriedExtinction start;
+  start.extinction.assign(extinction, extinction + count);
+  start.hasLight = light != nullptr;
+  if (light)
+  {
+    start.light.assign(light, light + count);
+  }
+  this->SetInitialExtinction(std::move(start));
+}
+
+void Solver::SetInitialExtinction(CarriedExtinction&& start)
+{
   Internals& state = *this->State;
   LIMPID_REQUIRE(state.Minimizes(),
     "An initial extinction was given to "
       << InfoOf(state.settings.method).name
       << " (this method does not iterate). Use the method Optimized.");
-  LIMPID_REQUIRE(light || state.settings.mode == Mode::Joint,
+  LIMPID_REQUIRE(start.hasLight || state.settings.mode == Mode::Joint,
     "An initial extinction was given in separate mode (this mode optimises two extinctions). Use "
     "the joint mode.");
-  state.initial.emplace(extinction, extinction + state.scene.ValueCount());
-  if (light)
+  state.initial = std::move(start.extinction);
+  if (start.hasLight)
   {
-    state.initialLight.emplace(light, light + state.scene.ValueCount());
+    state.initialLight = std::move(start.light);
   }
   state.warm = true;
   state.OnBackend([&state] { state.Begin(); });

@@ -49,6 +49,9 @@ public:
   /// to their bounds [1/length]. `light`: that for the light, which separate mode needs.
   void SetInitialExtinction(const float* extinction, const float* light = nullptr);
 
+  /// Does the same with an extinction that is moved.
+  void SetInitialExtinction(CarriedExtinction&& start);
+
   /// Runs up to `iterations` more iterations. Returns whether nothing is left to do: converged,
   /// out of iterations or time, or stopped by `progress`. After an exception the solver must not
   /// be used any more; the scene stays valid.

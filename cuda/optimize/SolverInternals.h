@@ -265,9 +265,8 @@ struct Solver::Internals
     return this->ScoreBy(this->judgeOfIterates, field,
       [this]
       {
-        Settings wanted = this->settings;
-        wanted.importanceSmoothing = ImportanceSmoothing::Off;
-        return this->prepared->ProblemFor(this->camera, this->light, wanted);
+        return this->prepared->ProblemForScoresOfIterates(
+          this->camera, this->light, this->settings);
       });
   }
 
