@@ -20,8 +20,8 @@ import xml.etree.ElementTree as ElementTree
 TABLE = pathlib.Path(__file__).resolve().parents[2] / "cuda/optimize/Settings.xml"
 
 #: Elements of an entry that the server manager does not know, and their attributes.
-OWN = {"Class": {"choices", "constants", "set"}, "Core": {"member", "valid", "name", "unit", "error"},
-       "In": None, "Panel": {"group", "shown_if"}, "Python": set()}
+OWN = {"Class": {"choices", "constants", "range", "set", "unit"}, "Core": {"member", "valid", "name", "unit", "error"},
+       "In": None, "Panel": {"group", "shown_if"}, "Python": {"unit"}}
 
 
 class Interval:
@@ -84,6 +84,11 @@ class Setting:
     def valid(self):
         valid = self.of("Core").get("valid")
         return Interval(valid) if valid else None
+
+    @property
+    def unit(self):
+        """The unit of a number, or nothing."""
+        return self.of("Python").get("unit") or self.of("Class").get("unit", "")
 
     @property
     def in_python(self):
@@ -328,33 +333,133 @@ def values_in_prose(setting):
         return ", ".join(entry.get("text") for entry in setting.entries())
     if setting.type == "vtkTypeBool":
         return "off, on"
-    valid = str(setting.valid or "")
-    return f"{len(setting.default)} of {valid}" if len(setting.default) > 1 and valid else valid
+    if not setting.valid:
+        return setting.of("Class").get("range", "")
+    return f"{len(setting.default)} of {setting.valid}" if len(setting.default) > 1 else \
+        str(setting.valid)
+
+
+def explained(text):
+    """The first sentence of a documentation; all of it if that is about one of several values."""
+    text = re.sub(r"\s+", " ", text).strip().replace("**", "*")
+    return text if text.startswith("*") else \
+        re.match(r"(.*?(?<!Eq)(?<!Eqs)\.)( |$)", text).group(1)
+
+
+def row(*cells):
+    """A row of a table."""
+    return f"| {' | '.join(cells)} |"
 
 
 def reference(settings):
     """A table of all settings, for a page."""
-    lines = ["| property | in Python | values | default | what it is |",
-             "| --- | --- | --- | --- | --- |"]
-    for setting in of_class(settings):
+    lines = [row("property", "in Python", "unit", "values", "default", "what it is"),
+             row(*["---"] * 6)]
+    for setting in settings:
+        in_python = f"`{setting.in_python}`" if setting.text("Python") else ""
+        if not setting.of_class():
+            lines.append(row(f"`{setting.name}`", in_python, unit_of(setting.element),
+                             values_of(setting.element), default_of(setting.element),
+                             explained(setting.text("Documentation"))))
+            continue
         shown = {entry.get("value"): entry.get("text") for entry in setting.entries()}
         own = [f", {element.get('proxy')} {element.get('default_values')}"
                for element in setting.element.findall("In") if element.get("default_values")]
-        default = " ".join(shown.get(value, value) for value in setting.default)
+        default = " ".join(shown.get(value, value) for value in setting.default) or "none"
         if setting.type == "vtkTypeBool":
             default, own = [re.sub("0$", "off", re.sub("1$", "on", text))
                             for text in (default, "".join(own))]
-        sentence = re.match(r"(.*?(?<!Eq)(?<!Eqs)\.)( |$)", setting.text("Class")).group(1)
-        in_python = f"`{setting.in_python}`" if setting.text("Python") else ""
-        lines.append(f"| `{setting.name}` | {in_python} | {values_in_prose(setting)} | "
-                     f"{default}{''.join(own)} | {sentence} |")
+        lines.append(row(f"`{setting.name}`", in_python, setting.unit, values_in_prose(setting),
+                         f"{default}{''.join(own)}", explained(setting.text("Class"))))
     return "\n".join(lines)
+
+
+#: Units of properties that are numbers, but not dimensionless.
+UNITS = {"AvoidanceAngle": "degrees", "CameraDistance": "radius of the volume",
+         "CameraFocalPoint": "length", "CameraParallelScale": "length", "CameraPosition": "length",
+         "CameraViewAngle": "degrees", "EaseTime": "s", "ElevationRange": "degrees",
+         "ExtinctionArray": "1/length", "InteractiveFrameTime": "s", "ReferenceArray": "1/length",
+         "SampleDistance": "smallest spacing", "ScalarOpacityUnitDistance": "length",
+         "SeparationAngle": "degrees", "SphereRadius": "radius of the volume"}
+
+#: What values the domains of the server manager allow.
+DOMAINS = {"BooleanDomain": "off, on", "ArrayListDomain": "an array", "FileListDomain": "a file",
+           "RangedTransferFunctionDomain": "a function"}
+
+
+def domain_of(element):
+    return next((domain for domain in element if domain.tag.endswith("Domain")), None)
+
+
+def unit_of(element):
+    """The unit of a property of the server manager."""
+    domain = domain_of(element)
+    is_number = domain is not None and domain.tag.endswith("RangeDomain")
+    return UNITS.get(element.get("name"), "dimensionless" if is_number else "")
+
+
+def values_of(element):
+    """The valid values of a property of the server manager, as a page says them."""
+    domain = domain_of(element)
+    if domain is None:
+        return "a button" if element.tag == "Property" else "a list"
+    if domain.tag in DOMAINS:
+        return DOMAINS[domain.tag]
+    if domain.tag == "EnumerationDomain":  # the first text of each value
+        texts = {entry.get("value"): entry.get("text") for entry in reversed(domain)}
+        return ", ".join(texts[value] for value in sorted(texts, key=int) if texts[value])
+    least, most = (domain.get(end, "").split(" ")[0] for end in ("min", "max"))
+    return f"[{least}, {f'{most}]' if most else 'inf)'}" if least else "any"
+
+
+def default_of(element):
+    """The default of a property of the server manager, as a page says it."""
+    default = element.get("default_values", "")
+    domain = domain_of(element)
+    kind = "" if domain is None else domain.tag
+    if kind == "ArrayListDomain":
+        default = default.split(";")[-1].strip("()").replace("None", "")
+    if kind == "BooleanDomain":
+        default = {"0": "off", "1": "on"}[default]
+    for entry in element.findall("EnumerationDomain/Entry"):
+        if entry.get("value") == default:
+            default = entry.get("text")
+            break
+    return default.replace(";", ", ") or "none"
+
+
+def properties(path, names):
+    """Tables of the properties that filters or displays have of their own, from an XML template."""
+    lines = []
+    for proxy in ElementTree.parse(TABLE.parents[2] / path).getroot().iter():
+        own = [element for element in proxy if element.tag.endswith("Property")
+               and element.findtext("Documentation") and element.tag != "InputProperty"
+               and not element.get("information_only")]
+        if own and proxy.tag.endswith("Proxy"):
+            name = names.get(proxy.get("name"), proxy.get("label"))
+            lines += ["", f"### {name}", "", row("property", "unit", "values", "default", "what it is"),
+                      row(*["---"] * 5)]
+            lines += [row(f"`{element.get('name')}`", unit_of(element), values_of(element),
+                          default_of(element), explained(element.findtext("Documentation")))
+                      for element in own]
+    return "\n".join(lines[1:])
+
+
+def properties_of_filters(_):
+    return properties("Filters/LimpidFilters.xml.in",
+                      {"Scene": "Extinction Optimizer and Viewpoint Search"})
+
+
+def properties_of_display(_):
+    return properties("Representations/LimpidRepresentations.xml.in",
+                      {"OptimizedVolumeRepresentation": "Optimized Volume"})
 
 
 #: What replaces a mark, of all settings.
 MARKS = {"choices": choices, "core_entries": core_entries, "every": every,
          "every_of_core": every_of_core, "forwarding": forwarding, "members": members,
          "methods": methods, "python_choices": python_choices, "python_fields": python_fields,
+         "properties_of_display": properties_of_display, "properties_of_filters": properties_of_filters,
          "reference": reference}
 
 
