@@ -353,7 +353,7 @@ def row(*cells):
 
 def reference(settings):
     """A table of all settings, for a page."""
-    lines = [row("property", "in Python", "unit", "values", "default", "what it is"),
+    lines = [row("property", "in Python", "unit", "values", "default", "meaning"),
              row(*["---"] * 6)]
     for setting in settings:
         in_python = f"`{setting.in_python}`" if setting.text("Python") else ""
@@ -437,7 +437,7 @@ def properties(path, names):
                and not element.get("information_only")]
         if own and proxy.tag.endswith("Proxy"):
             name = names.get(proxy.get("name"), proxy.get("label"))
-            lines += ["", f"### {name}", "", row("property", "unit", "values", "default", "what it is"),
+            lines += ["", f"### {name}", "", row("property", "unit", "values", "default", "meaning"),
                       row(*["---"] * 5)]
             lines += [row(f"`{element.get('name')}`", unit_of(element), values_of(element),
                           default_of(element), explained(element.findtext("Documentation")))
