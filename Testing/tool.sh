@@ -11,7 +11,8 @@ set -euo pipefail
 
 root="$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)"
 name="${1:-}"
-version="$(sed -n "s/^$name==//p" "$root/Testing/tools.txt")"
+package="$(grep -E "^$name(\[.*\])?==" "$root/Testing/tools.txt" || true)"
+version="${package#*==}"
 if [[ -z "$name" || -z "$version" ]]; then
   echo "There is no tool '$name' in Testing/tools.txt, which lists those that can be run." >&2
   exit 2
@@ -37,7 +38,7 @@ if [[ ! -e "$folder/complete" ]]; then
   echo "Installing $name $version into build/tools." >&2
   rm -rf "$folder"
   if ! { python3 -m venv "$folder" &&
-    "$folder/bin/pip" --disable-pip-version-check install --quiet "$name==$version"; } >&2; then
+    "$folder/bin/pip" --disable-pip-version-check install --quiet "$package"; } >&2; then
     echo "$name $version could not be installed (results depend on its version, so no other one is" \
       "taken). Install python3-venv, allow pip to reach packages, or install this version of $name." >&2
     exit 2
