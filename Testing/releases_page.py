@@ -107,7 +107,7 @@ def details(all_found):
             more = f" and {len(names) - 3} more" if len(names) > 3 else ""
             lines.append(f"* {reason} ({listed}{more})")
         if not one["failed"] and not one["skipped"]:
-            lines.append("Nothing failed, nothing was skipped.")
+            lines.append("No test failed or was skipped.")
         parts.append("\n".join(lines))
     return "\n\n".join(parts)
 
@@ -122,7 +122,7 @@ def main(documentation, folders, release):
     page = documentation / "Compatibility.md"
     above, rest = page.read_text(encoding="utf-8").split(BEGIN)
     below = rest.split(END)[1]
-    written = f"{table(all_found)}\n\n## What failed, what was skipped, and why\n\n{details(all_found)}"
+    written = f"{table(all_found)}\n\n## Failed and skipped tests\n\n{details(all_found)}"
     page.write_text(f"{above}{BEGIN}\n\n{written}\n\n{END}{below}", encoding="utf-8")
 
 

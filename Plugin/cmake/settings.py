@@ -334,7 +334,7 @@ def values_in_prose(setting):
 
 def reference(settings):
     """A table of all settings, for a page."""
-    lines = ["| property | in Python | values | default | what it is |",
+    lines = ["| property | in Python | values | default | meaning |",
              "| --- | --- | --- | --- | --- |"]
     for setting in of_class(settings):
         shown = {entry.get("value"): entry.get("text") for entry in setting.entries()}

@@ -138,7 +138,7 @@ TEST_P(EveryMethod, TellsWhatAMarchSeesOfItsExtinction)
 {
   if (GetParam() == Method::Marchesin2010)
   {
-    GTEST_SKIP() << "its score is not one of transport";
+    GTEST_SKIP() << "the score of this method is not computed by light transport";
   }
   BoxScene scene = BoxScene::Cube(33);
   scene.FillOnion(6);
@@ -177,7 +177,7 @@ TEST_P(EveryMethod, ShowsNoMoreThanTheOptimum)
   scene.FillOnion();
   if (GetParam() == Method::Marchesin2010)
   {
-    GTEST_SKIP() << "its score is not one of transport";
+    GTEST_SKIP() << "the score of this method is not computed by light transport";
   }
 
   const Shown shown = ShownBy(GetParam(), scene);

@@ -519,7 +519,7 @@ TEST(Progressive, RefusesCudaWhereThereIsNone)
 {
   if (FindCuda().usable)
   {
-    GTEST_SKIP() << "there is a GPU";
+    GTEST_SKIP() << "this machine has a GPU";
   }
   BoxScene scene = BoxScene::Onion(9);
   scene.settings.backend = BackendKind::Cuda;

@@ -151,7 +151,7 @@ TEST(SolverInput, RefusesCudaWhereThereIsNone)
 {
   if (FindCuda().usable)
   {
-    GTEST_SKIP() << "there is a GPU";
+    GTEST_SKIP() << "this machine has a GPU";
   }
   ExpectMessage([](BoxScene& s) { s.settings.backend = BackendKind::Cuda; }, "CUDA");
 }

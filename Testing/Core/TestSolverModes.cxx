@@ -169,7 +169,7 @@ TEST(SolverModes, RefusesCudaWhereThereIsNone)
 {
   if (FindCuda().usable)
   {
-    GTEST_SKIP() << "there is a GPU";
+    GTEST_SKIP() << "this machine has a GPU";
   }
   BoxScene scene = BoxScene::Onion(21);
   scene.settings.backend = BackendKind::Cuda;

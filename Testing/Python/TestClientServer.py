@@ -203,7 +203,7 @@ class ServerTest(unittest.TestCase):
 
     def check_that_the_server_ends_with_the_client(self):
         if runner.PARAVIEW >= (6, 1):
-            self.skipTest("pvserver 6.1 does not end with its client if any plugin was loaded")
+            self.skipTest("pvserver 6.1 does not exit with its client after a plugin was loaded")
         self.assertEqual(self.exit_code, 0, self.output)
         self.assertNotIn("FATL", self.output)
 

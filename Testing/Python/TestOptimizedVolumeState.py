@@ -216,7 +216,7 @@ class TestOptimizedVolumeState(unittest.TestCase):
             for path in [os.path.join(SAVED, version, name) for version in versions for name in names]:
                 with self.subTest(path):
                     if path.endswith(".pvsm") and runner.PARAVIEW >= (5, 13):
-                        self.skipTest("ParaView 5.13 forgets where displays were in states of 5.11")
+                        self.skipTest("ParaView 5.13 loses the positions of displays in states saved by 5.11")
                     self.assert_replays(path, expected)
 
 

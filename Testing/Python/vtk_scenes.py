@@ -40,7 +40,7 @@ def scene(finer=1, differs=""):
     return register
 
 
-BETWEEN_POINTS = "A cropping region that is no box ends between points, not within a cell."
+BETWEEN_POINTS = "Limpid cuts a cropping region that is not a box between points, VTK within a cell."
 
 
 class Stage:

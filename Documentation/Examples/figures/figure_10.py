@@ -126,8 +126,8 @@ def caption(numbers):
     for title, scores in numbers["scores"].items():
         best = max(map(max, scores))
         sentences.append(
-            "{}: half the nodes along each axis have {:.1f} % of S, a quarter {:.1f} % (one ray per "
-            "node); half the rays have {:.1f} %, a quarter {:.1f} % (all nodes).".format(
+            "{}: half the nodes along each axis reach {:.1f} % of S, a quarter {:.1f} % (one ray per "
+            "node); half the rays reach {:.1f} %, a quarter {:.1f} % (all nodes).".format(
                 title, *(100 * share / best for share in (
                     scores[2][1], scores[2][0], scores[1][2], scores[0][2]))))
     return " ".join(sentences)

@@ -143,13 +143,13 @@ def make(run):
 
 
 def caption(numbers):
-    return ("{}{}, turned by {}°. Mean difference from the last picture, of 255: {:.1f} with the "
-            "extinction of the old view, {:.1f} in the first frame, which is there after {:.2f} s, "
-            "{:.1f} in the last moving one, with {:.2f} s per frame. The still picture takes {:.2f} s. "
-            "Of the important structures the old extinction shows {:.1f} % in the new view, and the last "
-            "picture {:.1f} %.").format(
-                studio.load_warning(numbers), numbers["scene"], TURN, *numbers["apart"][:2],
-                numbers["first"], numbers["apart"][2], numbers["frame"], numbers["still"],
+    return ("{}{}, turned by {}°. The mean difference from the last picture, of 255, is {:.1f} with the "
+            "extinction of the old view. The first frame arrives after {:.2f} s and differs by {:.1f}. "
+            "The last frame in motion differs by {:.1f}, at {:.2f} s per frame. The still picture takes "
+            "{:.2f} s. In the new view, the old extinction shows {:.1f} % of the important structures, "
+            "and the last picture {:.1f} %.").format(
+                studio.load_warning(numbers), numbers["scene"], TURN, numbers["apart"][0],
+                numbers["first"], *numbers["apart"][1:], numbers["frame"], numbers["still"],
                 *(100 * share for share in numbers["visible"]))
 
 

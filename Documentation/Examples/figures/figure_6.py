@@ -35,7 +35,7 @@ def caption(numbers):
              for views in numbers["scores"].values() for view in views.values()]
     fractions = [(view["BaseVisibleFraction"], view["VisibleFraction"])
                  for views in numbers["scores"].values() for view in views.values()]
-    return ("S rises to {:.1f} to {:.1f} times of what it was, in {} of {} views; the visible share "
+    return ("S rises by a factor of {:.1f} to {:.1f}, in {} of {} views. The visible share "
             "of the important structures rises from {:.1f}–{:.1f} % to {:.1f}–{:.1f} %.").format(
                 min(gains), max(gains), sum(gain > 1 for gain in gains), len(gains),
                 *(100 * edge([pair[place] for pair in fractions])

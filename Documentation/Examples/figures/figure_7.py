@@ -103,12 +103,12 @@ def caption(numbers):
     return table(rows, [
         ("scene", lambda r: r["title"]), ("F, joint", lambda r: cell(r["joint"])),
         ("F, separate", lambda r: cell(r["pair"])),
-        ("F, the camera's for both", lambda r: cell(r["one"])),
+        ("F, camera's for both", lambda r: cell(r["one"])),
         ("F_q, joint", lambda r: cell(r["parts"][0]["q"])),
         ("F_q, separate", lambda r: cell(r["parts"][1]["q"])),
         ("F_r, joint", lambda r: cell(r["parts"][0]["r"])),
         ("F_r, separate", lambda r: cell(r["parts"][1]["r"])),
-        ("light through what is seen, separate / joint", light("r through the camera's", 0))])
+        ("light through the camera's extinction, separate / joint", light("r through the camera's", 0))])
 
 
 if __name__ == "__main__":

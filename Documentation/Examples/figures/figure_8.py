@@ -53,7 +53,7 @@ def placed(numbers, place, key):
 
 
 def caption(numbers):
-    return ("Of {} scenes, highest S: {}; second: {}. Largest visible share: {}; second: {}.").format(
+    return ("In {} scenes, highest S: {}; second: {}. Largest visible share: {}; second: {}.").format(
         len(numbers["scores"]), *(placed(numbers, place, key)
                                   for key in ("VisibilityScore", "VisibleFraction")
                                   for place in (0, 1)))

@@ -35,7 +35,8 @@ def make(run):
 def caption(numbers):
     views = numbers["views"]
     seconds = [view["seconds"] for view in views.values()]
-    return ("S of the importance alone, the best direction over the worst: {}. {}A search takes {:.1f} "
+    return ("Ratio of S in the best direction to S in the worst, for the importance alone: {}. {}"
+            "A search takes {:.1f} "
             "to {:.1f} s.").format(
                 ", ".join("{} {:.2f}".format(title, view["best"] / view["worst"])
                           for title, view in views.items()),

@@ -36,7 +36,7 @@ VIEWS = ("own", "right", "opposite", "left", "top", "bottom")
 NUMBERS = ("VisibilityScore", "BaseVisibilityScore", "VisibleFraction", "BaseVisibleFraction",
            "SacrificedFraction")
 FINER = 2  # pixels drawn per pixel shown, along both axes
-IDLE = 0.5  # load average above which times are preliminary
+IDLE = 0.5  # load average above which a caption says that times contain other work
 
 
 @dataclasses.dataclass
@@ -242,8 +242,8 @@ def load_warning(measured):
     """A sentence for numbers that are times; empty on an idle machine."""
     if measured["load_before"] <= IDLE:
         return ""
-    return ("**The machine was not idle (load average {:.1f} before the start): times are "
-            "preliminary.** ".format(measured["load_before"]))
+    return ("**The machine had other work (load average {:.1f} before the start), which the "
+            "times contain.** ".format(measured["load_before"]))
 
 
 def parser(description):

@@ -39,8 +39,8 @@ def caption(numbers):
         base, best = scores[0][0], max(map(max, scores))
         own = scores[LIGHT_WEIGHTS.index(1)][VIEW_WEIGHTS.index(10)]
         sentences.append(
-            "{}: S from {} without any weight to {}; the paper's q = 10, r = 1 have {:.1f} % of that; "
-            "light alone, q = 0 and r = 1, {:.1f} %.".format(
+            "{}: S rises from {} without any weight to {}; the paper's q = 10, r = 1 reach {:.1f} % of "
+            "that; light alone, q = 0 and r = 1, reaches {:.1f} %.".format(
                 title, *(studio.significant(score, 4) for score in (base, best)),
                 100 * own / best, 100 * scores[LIGHT_WEIGHTS.index(1)][0] / best))
     return " ".join(sentences)
