@@ -5,16 +5,16 @@
 # Checks the sources in ways that the build does not.
 #   bash Testing/check.sh [format] [spelling] [licences] [hosting] [tidy] [tidy-tests] [clang]
 #     [sanitize] [threads] [fuzz] [tidy-changed] [sanitize-all] [threads-all] [coverage]
-# Without arguments: all but the last four. The first four take seconds and need no build; their tools are
-# those of Testing/tools.txt.
+# Without arguments: all but the last four. The first four take seconds and need no build. Testing/tools.txt
+# sets the versions of their tools.
 # format        compares the layout of all sources with .clang-format.
-# spelling      looks for misspelt words, with what .codespellrc excepts.
-# licences      checks that every file says whose it is and under which licence (REUSE).
-# hosting       checks the files that GitHub and GitLab read against their schemas.
+# spelling      looks for misspelt words. .codespellrc lists exceptions.
+# licences      checks that every file states its copyright and licence (REUSE).
+# hosting       checks the files for GitHub and GitLab against their schemas.
 # tidy          runs clang-tidy on the product, as the C++ compiler sees it in build/: build there first.
 # tidy-tests    does so on Testing/, which takes as long again and more.
-# tidy-changed  does so on what differs from the commit LIMPID_BASE (main). A header stands for the source
-#               of its name, or else for one that includes it.
+# tidy-changed  does so on the sources that differ from the commit LIMPID_BASE (main). For a header, it
+#               takes the source of the same name, or else one that includes it.
 # clang         builds the core and its tests with clang, in build/clang, and runs the quick ones.
 # sanitize      builds core, filters and their tests with the sanitizers of addresses and of undefined
 #               behaviour, in build/sanitize, and runs a selection of the quick ones.
@@ -25,8 +25,8 @@
 # fuzz          feeds solver and filter with what libFuzzer makes up of LIMPID_FUZZ_SEED (1), which is
 #               about the same each time, for LIMPID_FUZZ_SECONDS (60) each, in build/sanitize, which
 #               keeps what it has found: the next run goes on from there.
-# coverage      builds the core and its tests in build/coverage, runs the quick ones, and prints which
-#               share of the core's lines ran; build/coverage/report/index.html shows them.
+# coverage      builds the core and its tests in build/coverage, runs the quick ones, and prints the share
+#               of the core's lines that ran. build/coverage/report/index.html shows the lines.
 
 set -euo pipefail
 
@@ -194,7 +194,7 @@ check_coverage()
   find build/coverage -name '*.gcda' -delete
   ctest --preset coverage --label-regex '^quick$' --parallel "$(nproc)" --exclude-regex '^House'
   mkdir -p build/coverage/report
-  # Threads count without locks, so that a few counts are wrong: what matters is whether a line ran.
+  # Threads count without locks, so a few counts are wrong. Only whether a line ran is used.
   tool gcovr --root . --filter cuda/ --object-directory build/coverage build/coverage \
     --gcov-ignore-parse-errors=negative_hits.warn --merge-mode-functions=merge-use-line-0 \
     --exclude-unreachable-branches --html-details build/coverage/report/index.html --print-summary \

@@ -2,18 +2,18 @@
 # SPDX-FileCopyrightText: Copyright (c) Limpid developers
 # SPDX-License-Identifier: BSD-3-Clause
 
-# The jobs of public CI, which GitHub (.github/workflows) and GitLab (.gitlab-ci.yml) run in fresh
-# containers of Debian, as root. They can be run anywhere else, too.
+# The jobs of public CI. GitHub (.github/workflows) and GitLab (.gitlab-ci.yml) run them as root in fresh
+# containers of Debian.
 #   bash Testing/ci.sh JOB
-# lint       layout, spelling, licences, files for hosts, and the tests that read sources: two minutes.
+# lint       layout, spelling, licences, files for GitHub and GitLab, and Testing/House: two minutes.
 # tests      builds everything and runs the quick tests.
 # wheel      builds the Python package, installs it and tests it.
 # docs       builds the documentation. Output is in build/docs.
-# tidy       builds the product, then runs clang-tidy on what differs from the commit LIMPID_BASE.
-# sanitize   a selection of the tests with the sanitizers of addresses and of undefined behaviour.
-# threads    what has threads, with the sanitizer of threads.
-# coverage   which share of the core's lines its quick tests run.
-# Compilations are cached in build/ccache, which hosts keep from run to run.
+# tidy       builds the product and runs clang-tidy on the sources that differ from the commit LIMPID_BASE.
+# sanitize   runs a selection of the tests with the sanitizers of addresses and of undefined behaviour.
+# threads    runs the tests of threads with the sanitizer of threads.
+# coverage   measures the share of the core's lines that its quick tests run.
+# ccache keeps compiled files in build/ccache, which the hosts keep from run to run.
 
 set -euo pipefail
 

@@ -2,10 +2,10 @@
 # SPDX-FileCopyrightText: Copyright (c) Limpid developers
 # SPDX-License-Identifier: BSD-3-Clause
 
-# Runs a tool in the version that Testing/tools.txt names, whatever the system has.
+# Runs a tool in the fixed version of Testing/tools.txt.
 #   bash Testing/tool.sh NAME [ARGUMENT]...
-# The system's own is taken if it has that version. Otherwise pip installs the Python package of that name
-# into a virtual environment, build/tools/NAME-VERSION, once; without a network this fails, and says so.
+# If the system's program has this version, it is run. Otherwise pip installs the Python package of this name
+# into the virtual environment build/tools/NAME-VERSION, which needs a network the first time.
 
 set -euo pipefail
 
@@ -19,7 +19,7 @@ if [[ -z "$name" || -z "$version" ]]; then
 fi
 shift
 
-# Whether a program is there and has the version.
+# Whether a program exists and has the version.
 is_right()
 {
   local told
@@ -39,8 +39,8 @@ if [[ ! -e "$folder/complete" ]]; then
   rm -rf "$folder"
   if ! { python3 -m venv "$folder" &&
     "$folder/bin/pip" --disable-pip-version-check install --quiet "$package"; } >&2; then
-    echo "$name $version could not be installed (results depend on its version, so no other one is" \
-      "taken). Install python3-venv, allow pip to reach packages, or install this version of $name." >&2
+    echo "$name $version could not be installed (other versions give other results, so they are not" \
+      "used). Install python3-venv and connect to the network, or install this version of $name." >&2
     exit 2
   fi
   touch "$folder/complete"

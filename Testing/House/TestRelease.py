@@ -1,8 +1,8 @@
 # SPDX-FileCopyrightText: Copyright (c) Limpid developers
 # SPDX-License-Identifier: BSD-3-Clause
 
-"""Whether all files agree on the version, the list of changes has its form, and the files that hosts
-read are right: what a release and public CI need."""
+"""Whether all files state the same version, the list of changes has its form, and the files for GitHub,
+GitLab and pre-commit can be read and run the same jobs."""
 
 import re
 import shutil
@@ -22,7 +22,7 @@ GITLAB = ".gitlab-ci.yml"
 
 
 def version():
-    """The version, which CMakeLists.txt has."""
+    """The version in CMakeLists.txt."""
     return re.search(r"^project\(Limpid\n  VERSION (\d+\.\d+\.\d+)$", house.text("CMakeLists.txt"),
                      re.MULTILINE).group(1)
 
@@ -32,7 +32,7 @@ def parts(number):
 
 
 def hosts_files():
-    """The YAML files that hosts and tools read."""
+    """All YAML files."""
     return house.files("*.yml", "*.yaml") + [
         path for path in house.top_files() if path.suffix in (".yml", ".yaml")]
 
