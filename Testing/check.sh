@@ -67,9 +67,11 @@ tidy()
 import json, pathlib, sys
 root = pathlib.Path(sys.argv[1])
 named = [root / name for name in sys.argv[2:]]
+def is_named(file):
+    return any(path == file or path in file.parents for path in named)
 commands = [entry for entry in json.loads((root / "build/compile_commands.json").read_text())
             if "nvcc" not in entry["command"].split()[0]
-            and any(path in named for path in [file := pathlib.Path(entry["file"]), *file.parents])]
+            and is_named(pathlib.Path(entry["file"]))]
 (root / "build/tidy/compile_commands.json").write_text(json.dumps(commands))
 print("\n".join(sorted({entry["file"] for entry in commands})))
 EOF
@@ -105,7 +107,7 @@ check_tidy-changed()
     exit 1
   fi
   mapfile -t sources < <(changed_sources "$base" | sort -u)
-  echo "clang-tidy: ${#sources[@]} sources have changed since $base. ${sources[*]}"
+  echo "Sources that differ from $base: ${sources[*]:-none}"
   if ((${#sources[@]} > 0)); then
     tidy "${sources[@]}"
   fi
