@@ -18,7 +18,7 @@ def documents():
     written = house.files("*.md")
     by_hand = [path for path in written
                if path.parent.name != "Benchmarks" or path.name == "README.md"]
-    return [pathlib.Path(path.name) for path in house.ROOT.glob("*.md")] + by_hand
+    return [path for path in house.top_files() if path.suffix == ".md"] + by_hand
 
 
 def anchors(page):
@@ -31,8 +31,7 @@ def anchors(page):
 class TestNamedFiles(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        cls.files = house.files("*") + [
-            path.relative_to(house.ROOT) for path in house.ROOT.glob("*") if path.is_file()]
+        cls.files = house.files("*") + house.top_files()
         cls.names = {path.name for path in cls.files}
         cls.folders = {folder for path in cls.files for folder in path.parents}
         sources = house.files("*.h", "*.cxx", "*.module", under=[
