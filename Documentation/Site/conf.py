@@ -18,9 +18,8 @@ copyright = author  # pylint: disable=redefined-builtin
 release = re.search(r"project\(Limpid\s+VERSION (\S+)", (ROOT / "CMakeLists.txt").read_text())[1]
 
 root_doc = "Documentation/README"
-include_patterns = ["Documentation/**.md", "Plugin/**.md", "cuda/README.md", "CONTRIBUTING.md",
-                    "Testing/**.md"]
-exclude_patterns = ["Documentation/Changelog"]
+include_patterns = ["CHANGELOG.md", "CONTRIBUTING.md", "Documentation/**.md", "Plugin/**.md", "Testing/**.md",
+                    "cuda/README.md"]
 
 extensions = ["myst_parser", "sphinx.ext.autodoc", "audiences", "cpp_headers", "python_package"]
 myst_heading_anchors = 4  # links such as Page.md#a-heading, as GitHub has them

@@ -26,7 +26,7 @@ class NotRun(NamedTuple):
 BUILDS = NotRun("It builds everything and runs all tests, this one included. Testing/releases.sh runs it.")
 MAKES_PICTURES = NotRun("It makes the pictures of the page from the test scenes, for minutes. Tests run "
                         "the same scripts on small images (ParaView.Example*, Gui.TestTutorial).")
-OF_DEVELOPERS = NotRun("It takes up to two hours, or needs a tree of its own: a developer calls it.")
+OF_DEVELOPERS = NotRun("It takes up to two hours, or changes the tree or the machine of a developer.")
 
 #: By page and by the first words of a block: the test that runs it, or why there is none.
 RUN_BY = {
@@ -82,6 +82,7 @@ RUN_BY = {
         "bash Testing/check.sh sanitize": OF_DEVELOPERS,
         "build/bin/limpid_hash_results": OF_DEVELOPERS,
         "cmake --preset vtk": OF_DEVELOPERS,
+        "pip install pre-commit": OF_DEVELOPERS,
     },
 }
 

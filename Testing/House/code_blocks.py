@@ -23,9 +23,9 @@ class Block(NamedTuple):
 
 
 def pages():
-    """All Markdown files but the entries of the changelog."""
-    written = [str(path) for path in house.files("*.md") if path.parent.name != "Changelog"]
-    return sorted(written + [path.name for path in house.ROOT.glob("*.md")])
+    """All Markdown files."""
+    top = [path for path in house.top_files() if path.suffix == ".md"]
+    return sorted(map(str, top + house.files("*.md")))
 
 
 def blocks(path):
