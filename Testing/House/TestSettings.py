@@ -65,6 +65,12 @@ class TestSettings(unittest.TestCase):
         with self.assertRaisesRegex(ValueError, "Speed has 2 constants for 1 entries"):
             self.assertTrue(settings.read_table(entry)[0].constants)
 
+    def test_numbers_of_the_python_package_have_a_unit(self):
+        for entry in settings.of_python(self.table):
+            is_number = not entry.constants and entry.type != "vtkTypeBool"
+            self.assertEqual(bool(entry.of("Python").get("unit")), is_number, entry.name)
+            self.assertTrue(entry.text("Python").endswith("."), entry.name)
+
     def test_the_server_manager_gets_what_it_knows_alone(self):
         for entry in self.table:
             for own in settings.OWN:
