@@ -21,7 +21,8 @@ root_doc = "Documentation/README"
 include_patterns = ["CHANGELOG.md", "CONTRIBUTING.md", "Documentation/**.md", "Plugin/**.md", "Testing/**.md",
                     "cuda/README.md"]
 
-extensions = ["myst_parser", "sphinx.ext.autodoc", "audiences", "cpp_headers", "python_package"]
+extensions = ["myst_parser", "sphinx.ext.autodoc", "sphinx.ext.napoleon",
+              "audiences", "cpp_headers", "python_package"]
 myst_heading_anchors = 4  # links such as Page.md#a-heading, as GitHub has them
 myst_enable_extensions = ["deflist"]  # of the glossary
 

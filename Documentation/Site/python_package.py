@@ -4,7 +4,6 @@
 """Lets autodoc read the Python package from its sources, without building its extension module."""
 
 import pathlib
-import re
 import shutil
 import sys
 
@@ -25,18 +24,9 @@ def prepare(app, config):
     for template in package.glob("*.in"):
         settings.main(template, template.with_suffix(""))
     sys.path.insert(0, str(folder))
-    config.autodoc_mock_imports = ["limpid._core", "numpy"]
-
-
-def with_fields(_app, what, _name, _object, _options, lines):
-    """Makes fields of the arguments in the docstring of a function, which are lines "name: text"."""
-    if what in ("function", "method"):
-        text = re.sub(r"^(\w+(?:, \w+)*): ", lambda found: "\n:param " + found.group(1).replace(
-            " ", "") + ": ", "\n".join(lines), flags=re.M)
-        lines[:] = re.sub(r"^Returns ", r"\nReturns ", text, flags=re.M).split("\n")
+    config.autodoc_mock_imports = ["limpid._core"]
 
 
 def setup(app):
     app.connect("config-inited", prepare)
-    app.connect("autodoc-process-docstring", with_fields)
     return {"parallel_read_safe": True}

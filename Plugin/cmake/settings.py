@@ -20,7 +20,8 @@ import xml.etree.ElementTree as ElementTree
 TABLE = pathlib.Path(__file__).resolve().parents[2] / "cuda/optimize/Settings.xml"
 
 #: Elements of an entry that the server manager does not know, and their attributes.
-OWN = {"Class": {"choices", "constants", "range", "set", "unit"}, "Core": {"member", "valid", "name", "unit", "error"},
+OWN = {"Class": {"choices", "constants", "range", "set", "unit"},
+       "Core": {"member", "valid", "name", "unit", "error"},
        "In": None, "Panel": {"group", "shown_if"}, "Python": {"unit"}}
 
 
@@ -294,22 +295,72 @@ def in_macro(lines):
     return "\n".join(f"{line:<99}\\" for line in lines)
 
 
-def python_field(setting):
-    """A field of the Python package's Settings."""
+def python_default(setting):
+    """The default of the Python package's Settings, as Python has it."""
     defaults = setting.in_proxy("ExtinctionOptimizer").get("default_values", "").split()
     values = defaults or setting.default
     if setting.constants:
-        texts = {entry.get("value"): entry.get("text") for entry in setting.entries()}
-        kind, value = "str", f'"{texts[values[0]].lower().replace(" ", "_")}"'
-    elif len(values) > 1:
-        kind, value = "tuple", f"({', '.join(values)})"
-    elif setting.type == "vtkTypeBool":
-        kind, value = "bool", str(values == ["1"])
-    elif setting.type == "int":
-        kind, value = "int", values[0]
-    else:
-        kind, value = "float", values[0] if re.search("[.e]", values[0]) else f"{values[0]}.0"
-    return f"    {setting.in_python}: {kind} = {value}  #: {setting.text('Python')}"
+        return f'"{python_choice(setting, values[0])}"'
+    if len(values) > 1:
+        return f"({', '.join(values)})"
+    if setting.type == "vtkTypeBool":
+        return str(values == ["1"])
+    return values[0] if setting.type == "int" or re.search("[.e]", values[0]) else f"{values[0]}.0"
+
+
+def python_choice(setting, value):
+    """What the Python package calls a value of a choice."""
+    texts = {entry.get("value"): entry.get("text") for entry in setting.entries()}
+    return texts[value].lower().replace(" ", "_")
+
+
+def python_choices_of(setting):
+    """The values of a choice in quotes, with commas between them."""
+    return ", ".join(f'"{python_choice(setting, value)}"' for value in setting.constants)
+
+
+def python_type(setting):
+    """The annotation of a field of the Python package's Settings."""
+    if setting.constants:
+        return f"Literal[{python_choices_of(setting)}]"
+    if len(setting.default) > 1:
+        return f"tuple[{', '.join([setting.type.replace('double', 'float')] * len(setting.default))}]"
+    return {"vtkTypeBool": "bool", "int": "int", "double": "float"}[setting.type]
+
+
+def python_field(setting):
+    """A field of the Python package's Settings."""
+    declared = f"    {setting.in_python}: {python_type(setting)}"
+    line = f"{declared} = {python_default(setting)}"
+    return line if len(line) <= 100 else broken(declared, f" = {python_default(setting)}")
+
+
+def broken(declared, rest=""):
+    """The declaration of a choice on several lines."""
+    head, _, choices = declared.partition("Literal[")
+    lines = textwrap.wrap(choices[:-1], 100 - 8, break_long_words=False)
+    return "\n".join([f"{head}Literal[", *[f"        {line}" for line in lines], f"    ]{rest}"])
+
+
+def python_item(setting):
+    """An item of the mapping of keyword arguments that are settings."""
+    line = f"    {setting.in_python}: {python_type(setting)}"
+    return line if len(line) <= 100 else broken(line)
+
+
+def python_parameter(setting):
+    """An entry of a numpy-style docstring: name, type and default, then sentences with valid values
+    and the unit."""
+    kind = f"{{{python_choices_of(setting)}}}" if setting.constants else python_type(setting)
+    unit = setting.of("Python").get("unit", "")
+    facts = [f"Range {setting.valid}"] if setting.valid else []
+    facts += [unit if unit == "dimensionless" else f"unit: {unit}"] if unit else []
+    text = setting.text("Python")
+    if facts:
+        text += f" {', '.join(facts)}."
+    prose = textwrap.wrap(text, 92, break_long_words=False, break_on_hyphens=False)
+    return "\n".join([f"    {setting.in_python} : {kind}, default {python_default(setting)}",
+                      *[f"        {line}" for line in prose]])
 
 
 def of_python(settings):
@@ -319,6 +370,16 @@ def of_python(settings):
 def python_fields(settings):
     """The fields of the Python package's Settings."""
     return "\n".join(map(python_field, of_python(settings)))
+
+
+def python_items(settings):
+    """The items of the mapping of keyword arguments that are settings."""
+    return "\n".join(map(python_item, of_python(settings)))
+
+
+def python_parameters(settings):
+    """The section Parameters of the docstring of the Python package's Settings."""
+    return "\n".join(map(python_parameter, of_python(settings)))
 
 
 def python_choices(settings):
@@ -460,6 +521,7 @@ MARKS = {"choices": choices, "core_entries": core_entries, "every": every,
          "every_of_core": every_of_core, "forwarding": forwarding, "members": members,
          "methods": methods, "python_choices": python_choices, "python_fields": python_fields,
          "properties_of_display": properties_of_display, "properties_of_filters": properties_of_filters,
+         "python_items": python_items, "python_parameters": python_parameters,
          "reference": reference}
 
 

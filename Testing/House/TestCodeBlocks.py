@@ -56,6 +56,8 @@ RUN_BY = {
         "functions = ": "Wheel.TestReadme",
         "rgba = ": "Wheel.TestReadme",
         "views = limpid.viewpoints(": "Wheel.TestReadme",
+        "found.save(": "Wheel.TestReadme",
+        "LIMPID_TEST_PICTURES=": NotRun("Testing/wheel.sh runs the same test."),
     },
     "Documentation/Segmentations.md": {
         "found = limpid.optimize(image, structures": "Wheel.TestReadme",

@@ -31,7 +31,7 @@ def python_with_sphinx():
                   str(house.ROOT / "build" / "docs" / "venv" / "bin" / "python"), sys.executable]
     for python in candidates:
         if python and shutil.which(python) and subprocess.run(
-                [python, "-c", "import sphinx, myst_parser, furo"], check=False,
+                [python, "-c", "import sphinx, myst_parser, furo, numpy"], check=False,
                 stderr=subprocess.DEVNULL).returncode == 0:
             return python
     return None

@@ -61,13 +61,17 @@ class TestReadme(unittest.TestCase):
 
         names, _ = self.run_blocks(
             WHEEL_README, "import limpid\n", "scalars = ", "functions = ", "rgba = ",
-            "views = limpid.viewpoints(")
+            "views = limpid.viewpoints(", "found.save(")
 
         self.assertEqual(names["picture"].shape[2], 4)
         self.assertGreater(names["picture"][..., 3].max(), 100)
         picture = pyvista.read(self.folder / "opacities.png").active_scalars
         self.assertGreater(np.ptp(picture), 50)
         self.assertGreater(names["views"][0].visible_fraction, 0)
+        image = pyvista.read(self.folder / "found.vti")
+        np.testing.assert_array_equal(image["Extinction"], names["found"].extinction)
+        self.assertEqual(pyvista.read(self.folder / "picture.png").n_points, 600 * 600)
+        self.assertEqual(names["small"].shape, (240, 240, 4))
 
     def test_of_the_repository(self):
         names, said = self.run_blocks(README, "import limpid, pyvista as pv")
