@@ -29,14 +29,16 @@ namespace
 constexpr int directionCount = 32;
 
 const char* const page =
-  R"(What no extinction can exceed ([Method.md](../Method.md), 5), on the scenes of the tests (`Testing/Benchmarks/limpid_ceilings.cxx`):
+  R"(This page has the bounds that no extinction can exceed ([Method.md](../Method.md), 5), for the scenes of the tests
+(`Testing/Benchmarks/limpid_ceilings.cxx`):
 
     build/bin/limpid_ceilings SCENE.scene.json ... > Documentation/Benchmarks/Ceilings.md
 
 ## Results below their ceilings
 
-S and the visible fraction of runs with the values of the preset *Paper*, and with *Protect Importance* 1, *Median* and *Smoothness* 0.2 of
-the display beside the other values of *Paper* (Emphasis 1, no Clearing Threshold), light included, over their ceilings of the camera alone.
+The table has S and the visible fraction of two kinds of runs, with light, over their ceilings of the camera alone. The first kind
+has the values of the preset *Paper*. The second has *Protect Importance* 1, *Median* and *Smoothness* 0.2 of the display, and
+otherwise the values of *Paper* (Emphasis 1, no Clearing Threshold).
 
 | scene | *Paper*: S / ceiling | visible / at most | protected: S / ceiling | visible / at most |
 | --- | ---: | ---: | ---: | ---: |
@@ -46,8 +48,9 @@ const char* const marchPage =
   R"(
 ## Against an independent march
 
-Largest difference over protection 0 and 1 and emphasis 0 and 1, from a march in double precision, 1.5 rays per voxel and 16 steps
-per cell, that shares no code with the core (`Testing/Reference/CeilingMarch.h`): of the ceiling of S in percent, of that of the fraction.
+The table has the largest difference from an independent march over protection 0 and 1 and emphasis 0 and 1. S is the difference of
+the ceiling of S in percent, *fraction* that of the ceiling of the visible fraction. The march has double precision, 1.5 rays per voxel and
+16 steps per cell, and shares no code with the core (`Testing/Reference/CeilingMarch.h`).
 
 | scene | S | fraction |
 | --- | ---: | ---: |
@@ -57,9 +60,10 @@ const char* const viewsPage =
   R"(
 ## Views
 
-32 directions (Fibonacci, at three radii): rank correlation (Spearman) of the visible fraction after a full run for each direction, with
-the protected values and a light beside the camera, with the ceiling, the proxy and the base extinction. *Best*: share of the
-largest visible fraction that the direction with the highest ceiling has. Times are processor times per direction; the score is that of the base extinction.
+There are 32 directions (Fibonacci, at three radii). The table has rank correlations (Spearman) with the visible fraction after a full run
+for each direction, with the protected values and a light beside the camera. The correlated quantities are the ceiling, the proxy and the
+base extinction. *Best* is the visible fraction of the direction with the highest ceiling, over the largest one. Times are processor times
+per direction, and the score is that of the base extinction.
 
 | scene | ceiling | proxy | base | best | score [ms] | ceiling [ms] | ratio | full run [ms] |
 | --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: |

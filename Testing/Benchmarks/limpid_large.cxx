@@ -84,19 +84,19 @@ private:
 };
 
 const char* const page =
-  R"(The head of `vtkOcclusionPhantom`, optimised by the core in one process (`Testing/Benchmarks/limpid_large.cxx`):
+  R"(The core optimises the head of `vtkOcclusionPhantom` in one process (`Testing/Benchmarks/limpid_large.cxx`):
 
     build/bin/limpid_large 128 256 512 1024 > Documentation/Benchmarks/LargeVolumes.md
 
-The optimiser has seven fields: base extinction, importance, what of it nodes can show, three iterates and the
-derivative of the light's term. None of them is written where the scene is empty, and in small pages memory that
-nobody writes is not taken: *peak* is the most that was resident, *scene* what of it the scene has, and *dense* what
-seven fields with a value per node would take. In the phantom, *peak* is little more than half of that. Processes of MPI
-divide it ([Ranks.md](Ranks.md)); images of VTK, whose arrays are dense, are not part of this.
+The optimiser has seven fields: base extinction, importance, the importance of nodes, three iterates and the
+derivative of the light's term. None of them is written where the scene is empty. With small pages, memory that
+is not written is not allocated. *Peak* is the largest resident memory, *scene* the part of the scene in it, and *dense*
+the memory of seven fields with a value per node. In the phantom, *peak* is little more than half of *dense*. MPI processes
+divide it ([Ranks.md](Ranks.md)). Images of VTK, whose arrays are dense, are not included.
 
-S and the share of the important structures that is visible have to tend to a limit: edges of the phantom are as wide as the
-distance of its nodes. The policy of the default settings, from the base to its end; times are medians of iterations and
-sums, on a machine that was not idle: preliminary.
+S and the visible share of the important structures must converge, because edges of the phantom are as wide as the
+distance of its nodes. The policy has default settings and runs from the base to its end. Times are medians of iterations
+and sums, on a machine that was not idle, and therefore preliminary.
 )"
   "\n| nodes | filled | S, base | S, optimised | visible | iterations | iteration [s] | "
   "all [s] | scene [GB] | peak [GB] | dense [GB] |\n"

@@ -34,7 +34,8 @@ namespace
 const char* const head =
   R"(# Thick media: run time against error
 
-What the tables mean is in [README.md](README.md). The command of this page is `build/bin/limpid_thick SCENE.scene.json ... > Documentation/Benchmarks/Thick.md`; its numbers are from
+[README.md](README.md) explains the tables. The command of this page is `build/bin/limpid_thick SCENE.scene.json ... > Documentation/Benchmarks/Thick.md`.
+Its numbers are from
 
     %s
 
@@ -50,8 +51,8 @@ const char* const rampHead =
   R"(
 ## The default ramp
 
-ParaView's default: opacity from 0 to 1 over the range of the data, with a unit distance of one cell. Important are the top 3 % of the
-data. The march has 3 rays per voxel and axis.
+The opacity is ParaView's default: 0 to 1 over the range of the data, with a unit distance of one cell. The top 3 % of the data are
+important. The march has 3 rays per voxel and axis.
 
 )";
 
@@ -59,7 +60,7 @@ const char* const ownHead =
   R"(
 ## Own functions
 
-The scenes' own transfer functions of opacity and importance, and the same march.
+The scenes have their own transfer functions of opacity and importance, and the same march.
 
 )";
 
@@ -67,9 +68,9 @@ const char* const onionHead =
   R"(
 ## Onion
 
-A core in a shell on %d³ nodes, its majorant scaled from thin to opaque, with the display's *Clearing Threshold* (%g): with the paper's
-weight, as above, nothing of the thickest shells would be cleared. The march is through the same trilinear fields on four times as many
-nodes along each axis, with half a ray for each of these.
+The scene is a core in a shell on %d³ nodes, with a majorant scaled from thin to opaque. It has the display's *Clearing Threshold* (%g).
+With the paper's weight, as above, the thickest shells would not be cleared at all. The march samples the same trilinear fields on four
+times as many nodes along each axis, with half a ray for each of these.
 
 )";
 

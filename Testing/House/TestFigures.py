@@ -220,7 +220,7 @@ class Results(unittest.TestCase):
                                        house.text("Plugin/Gui/LimpidBestView.cxx")))
 
     def test_the_tutorial_begins_with_the_shares_of_its_table(self):
-        said = figures(r"Of the bone ([\d.]+) % can be seen, ([\d.]+) % without",
+        said = figures(r"([\d.]+) % of the bone can be seen, ([\d.]+) % without",
                        " ".join(house.text(TUTORIAL).split()))
 
         self.assertEqual(said, columns(house.rows(TUTORIAL, "## Other data"), 1, 2)["visible_male"])

@@ -22,8 +22,8 @@ def page(measured):
         return percent(max(build["spread"][label] for build in builds))
 
     return head("Compilers", measured, "python3 Testing/Benchmarks/compilers.py") + f"""
-Medians of {plural(measured['rounds'], 'round')} in turns, CPU time of one thread; *spread*: the \
-largest of any build.
+The numbers are CPU times of one thread, medians of {plural(measured['rounds'], 'round')} in turns. \
+*Spread* is the largest of all builds.
 """ + table(builds, [("build", lambda b: b["name"]), ("compiler", lambda b: b["compiler"])]
-            ) + table(labels, [("what", str), *map(time_of, builds), *map(ratio_of, builds[1:]),
+            ) + table(labels, [("computation", str), *map(time_of, builds), *map(ratio_of, builds[1:]),
                                ("spread", spread_of)])

@@ -21,13 +21,14 @@ def page(measured):
         return (of(row, "score") - of(row, "before")) / (full["score"] - full["before"])
 
     return head("Control", measured, "python3 Testing/Benchmarks/control.py") + f"""
-`ControlResolution`: the change of the extinction is found at every second or fourth point along each \
-axis, and drawn with the data at their own resolution. From the camera of the pictures below, the \
-filter's scores, all measured at the points of the data. *Visible*: share of the important \
-structures that is visible, of how much could be; *gain*: of S over the base, relative to full \
-resolution; *time*: of a whole run, with all arrays of the result; *apart*: mean difference of the \
-display's pictures of {measured['size']} × {measured['size']} pixels from those at full resolution, \
-in levels of 255, and the share of pixels that differ by more than 30.
+With `ControlResolution`, the change of the extinction is computed at every second or fourth point \
+along each axis, and drawn with the data at full resolution. The table has the filter's scores from \
+the camera of the pictures below, all measured at the points of the data. *Visible* is the visible \
+share of the important structures, *could be* the largest possible share. *Gain* is that of S over the \
+base, relative to full resolution. *Time* is that of a whole run, with all arrays of the result. \
+*Apart* is the mean difference of the display's pictures of {measured['size']} × {measured['size']} \
+pixels from those at full resolution, in levels of 255. The last column is the share of pixels that \
+differ by more than 30.
 """ + table(rows, [("scene", lambda row: f"{row[0]}, {row[1]}"),
                    ("visible", lambda row: percent(of(row, "fraction"), 2)),
                    ("could be", lambda row: percent(of(row, "attainable"), 2)),

@@ -36,7 +36,7 @@ def page(measured):
     slices = measured["nodes"]
     return f"""# Counts
 
-What a GPU would have to do, counted without one, by
+This page counts the work of a GPU without one, by
 
     bash Testing/Gpu/count.sh
 
@@ -48,35 +48,36 @@ of a GPU, which runs the same launches; instructions are the compiler's output.
 
 ## An iteration
 
-Of the policy, {measured['scene']}, {slices}³: {slices} slices. *Waits*: how often all threads of a
-launch wait for each other. Numbers are means over iterations; where one was taken back, the next one
-begins with optical depths.
+This is an iteration of the policy for {measured['scene']}, {slices}³, with {slices} slices. *Waits* is
+the number of times that all threads of a launch wait for each other. Numbers are means over
+iterations. After a refused iteration, the next one begins with optical depths.
 {launch_table(measured['iteration'], 'launch')}{copy_table(measured['iteration'], 'copy')}
 ## A frame of the display
 
-After the camera has moved: {plural(measured['iterations'], 'iteration')}, shadows, and a picture
-of 64 × 64 pixels (16 384 bytes). What goes to the device are outlines of the rays' plans, a number per slice
-and per ray of an axis; the plans are made there. The outlines of camera and light take
-{1e3 * measured['plan']:.1f} ms on this machine's processor.
+After the camera has moved, a frame has {plural(measured['iterations'], 'iteration')}, shadows, and a
+picture of 64 × 64 pixels (16 384 bytes). The outlines of the rays' plans are uploaded to the device: a
+number per slice and per ray of an axis. The plans are made there. The outlines of camera and light
+take {1e3 * measured['plan']:.1f} ms on this machine's processor.
 {launch_table(measured['frame'], 'launch')}{copy_table(measured['frame'], 'copy')}
 ## Tiles
 
-Share of the visited tiles of rays and voxels that have something to do, of how many are visited (and
-how many there are); for the original extinction. *Policy sweep*: from the camera. *Derivative*:
-from the light. *Transmittance*: shadows, whose tiles are listed anew for each extinction. Their rays
-have something to do where they meet any extinction, and, near the sides of the box, on every slice
-behind that; their voxels, where anything dims them. *Shadows write*: bytes to memory or cache, values of rays between slabs among them.
+The table has the share of the visited tiles of rays and voxels with work, the number of visited tiles,
+and in parentheses the number of all tiles, for the original extinction. *Policy sweep* is from the
+camera, *derivative* from the light. *Transmittance* is that of the shadows, whose tiles are listed
+again for each extinction. Rays of shadows have work where they meet any extinction, and, near the
+sides of the box, on every slice behind that. Voxels have work where they are dimmed. *Shadows write*
+is the number of bytes to memory or cache, including values of rays between slabs.
 {tiles_table(measured['tiles'])}
 ## A ray on a slice, a voxel
 
-Kernels of one ray step or one voxel each, with the policy's usual settings: scores counted, nothing
-weighed. *Inside*: what nearly all take, rays that cross the layer from front to back and voxels far
-from the sides of the box. Else **all paths together**, of which none takes all: rays that enter or
-leave in the layer and rays that cross it, voxels near the sides and voxels inside. *Threads*: how
-many a multiprocessor holds with so many registers; *stack*: bytes of memory of a thread's own, into
-which the compiler moves what finds no register; *spilled*: instructions that do so, or fetch it back;
-*generic*: loads and stores of memory that the compiler does not know the kind of, without the one
-with which all threads wait for each other.
+Each kernel is one ray step or one voxel, with the policy's usual settings: scores are counted, and
+costs are not weighed. *Inside* is the usual path of nearly all: rays that cross the layer from front to
+back, and voxels far from the sides of the box. The other rows have **all paths together**, of which no
+thread takes all: rays that enter or leave in the layer and rays that cross it, voxels near the sides
+and voxels inside. *Threads* is the number that a multiprocessor holds with so many registers. *Stack*
+is the memory of a thread in bytes, into which the compiler moves values without a register. *Spilled*
+counts the instructions that store or load these values. *Generic* counts loads and stores of memory
+whose kind the compiler does not know, without the one with which all threads wait for each other.
 """ + table(measured["kernels"], [
         ("kernel", lambda k: k["kernel"]), ("instructions", lambda k: k["instructions"]),
         *((kind, lambda k, kind=kind: k[kind])

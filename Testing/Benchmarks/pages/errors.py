@@ -24,13 +24,13 @@ def fronts_section(scenes):
     return """
 ## Is the default worth its time?
 
-A setting is on the Pareto front if no other is both faster and better. *Rival*: the setting that \
-is most better in time and error at once, and *factor* by how much, in the one of the two in \
-which it is less so: with time and error divided by it the default would be on the front. Errors \
-of an iteration are compared with the time of a policy iteration by rays, what is reached with \
-that of a whole run of either solver. Errors below the reference's own, and shortfalls below \
-0.001 %, count as these. F is what the solvers minimise; S is a part of it, and a single pass, \
-which does not know the light, gets more of S and less out of F.
+A setting is on the Pareto front if no other is both faster and better. *Rival* is the setting with \
+the largest common gain in time and error. *Factor* is this gain, the smaller one of the two: with \
+time and error divided by it, the default would be on the front. Errors of an iteration are compared \
+with the time of a policy iteration by rays, final results with that of a whole run of either solver. \
+Errors below the uncertainty of the reference count as this uncertainty, and shortfalls below \
+0.001 % as 0.001 %. The solvers minimise F. S is a part of F. A single pass ignores the light and \
+gains more S and less F.
 """ + table(rows, [
         ("scene", lambda r: r["scene"]), ("error", lambda r: r["measure"]),
         ("among", lambda r: r["among"]), ("default: time [ms]", lambda r: ms(r["seconds"])),
@@ -54,11 +54,11 @@ def equal_section(scenes):
 ## The paper's grids at equal error
 
 An Adam iteration, camera and light, on the paper's perspective grids (`Testing/PaperScheme`) of \
-several resolutions, and Limpid's cheapest iterations at full resolution whose S is at least as \
-exact: same process, threads, compiler flags, float32. The finest grids are those that fit into \
-the limits of memory and time. *Interpolated*: between the two neighbouring resolutions, straight \
-in the logarithms of error and time. Error of S: the larger of that of the base extinction and of \
-the default result.
+several resolutions is compared with Limpid's cheapest iterations at full resolution whose S is at \
+least as accurate. Process, threads and compiler flags are the same, in float32. The finest grids are \
+those that fit into the limits of memory and time. *Interpolated* is between the two neighbouring \
+resolutions, linear in the logarithms of error and time. Error of S is the larger of those of the \
+base extinction and of the default result.
 """ + table(rows, [
         ("scene", lambda r: r["scene"]),
         ("samples per voxel", lambda r: small(r["samples_per_voxel"])
@@ -126,7 +126,7 @@ def scene_section(scene):
 
 {sizes(scene['nodes'])} nodes. Reference: {small(reference['rays_per_voxel'])} rays per voxel and \
 axis, S {significant(reference['S_base'], 6)} (base) and \
-{significant(reference['S_optimized'], 6)} (default result); with two thirds of the rays it moves \
+{significant(reference['S_optimized'], 6)} (default result); with two thirds of the rays it changes \
 by at most {share(reference['uncertainty'])}. T at {reference['voxels']} voxels. Measured in \
 {fixed(scene['seconds'])} s.
 
@@ -141,9 +141,9 @@ def page(measured):
     cuda = scenes[0]["cuda"].replace("not measured: ", "not measured (", 1)
     command = "bash Testing/Benchmarks/run.sh --pages errors"
     return head("Run time against error", measured, command) + f"""
-Reference: the march of Testing/Reference, double precision, no code of the sweeps. Rays and \
-samples are per voxel and axis. Quadrature: a simple scorer with two rays per voxel and axis (one \
-in scenes above 4 million voxels), no skips. CUDA: {cuda}{')' if '(' in cuda else ''}. Media that \
-stop most light from one node to the next, as with the opacity that ParaView begins with, have a \
-page of their own: [Thick.md](Thick.md).
+The reference is the march of Testing/Reference, in double precision, without code of the sweeps. \
+Rays and samples are per voxel and axis. Quadrature uses a simple scorer with two rays per voxel and \
+axis (one in scenes above 4 million voxels), without skips. CUDA: {cuda}{')' if '(' in cuda else ''}. \
+[Thick.md](Thick.md) covers media that stop most light from one node to the next, as with ParaView's \
+default opacity.
 """ + fronts_section(scenes) + equal_section(scenes) + "".join(map(scene_section, scenes))

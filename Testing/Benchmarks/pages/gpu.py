@@ -15,7 +15,7 @@ STEPS = {
     "upload": "scene: its fields to the GPU",
     "plan": "view: planning the rays (host)",
     "begin": "view: planning, tables and first iterate to the GPU",
-    "run": "view: whole default run, these included",
+    "run": "view: whole default run, including these",
     "download": "result to the host",
     "sphere": "scores of all directions",
     "picture": "picture of another extinction, with its shadows",
@@ -50,7 +50,7 @@ def bars(scenes):
         ("device memory, policy [GB]", "none", cell("policy", gigabytes)),
         ("device memory, Adam [GB]", "none", cell("adam", gigabytes))]
     return "\n## Against the bars\n" + table(rows, [
-        ("what", lambda r: r[0]), ("bar (NVIDIA H200)", lambda r: r[1]),
+        ("quantity", lambda r: r[0]), ("bar (NVIDIA H200)", lambda r: r[1]),
         *((title(scene), lambda r, scene=scene: r[2](scene)) for scene in scenes)])
 
 
@@ -66,7 +66,7 @@ def iteration(scene, key, bandwidth):
             row[figure] += part[figure]
     total = {figure: sum(row[figure] for row in rows.values()) for figure in ("seconds", "bytes")}
     lines = [*rows.values(), {"name": "sum", **total},
-             {**total, "name": "wall clock, not taken apart", "seconds": result["seconds"]}]
+             {**total, "name": "wall clock, undivided", "seconds": result["seconds"]}]
 
     def rate(row):
         known = row["bytes"] > 0 and row["seconds"] > 0 and bandwidth > 0
@@ -102,12 +102,12 @@ def scene_section(scene, bandwidth):
 def page(measured):
     text = head("Gpu", measured, "bash Testing/Gpu/one-shot.sh FOLDER")
     if measured["options"]["quick"] == "yes":
-        text += "\n**A quick run: small pictures, few directions, figures without meaning.**\n"
+        text += "\n**A quick run with small pictures and few directions. Its figures are meaningless.**\n"
     text += f"\n* device: {measured['device']}\n"
     bandwidth = 0
     if "seconds" in measured["copy"]:
         bandwidth = measured["copy_bytes"] / measured["copy"]["seconds"]
-        text += ("* copy rate, from one place on the device to another: "
+        text += ("* copy rate within the device: "
                  f"{significant(1e-9 * bandwidth, 4)} GB/s, bytes read and bytes written\n")
     return text + bars(measured["scenes"]) + missing(measured) + "".join(
         scene_section(scene, bandwidth) for scene in measured["scenes"])

@@ -5,8 +5,8 @@
 
 from markdown import fixed, head, ms, percent, significant, table
 
-NAMES = {"base": "as it is", "shaded": "with light", "optimized": "optimised",
-         "shadows": "with light, optimised", "missed": "with what is missed"}
+NAMES = {"base": "ordinary", "shaded": "with light", "optimized": "optimised",
+         "shadows": "with light, optimised", "missed": "with missed structures"}
 
 
 def page(measured):
@@ -24,27 +24,29 @@ def page(measured):
 
     renderer = still(rows[0], "opengl")
     return head("Graphics", measured, "python3 Testing/Benchmarks/graphics.py") + f"""
-Pictures of {measured['size']} × {measured['size']} pixels that are drawn by {renderer} (`DrawOn`), \
-against those of {still(rows[0], 'processor')}: their differences in levels of 255 (mean, share of \
-the pixels above 4, largest), and the time of a picture with everything else done [ms]. If OpenGL \
-is software, as llvmpipe is, these times only say why *Auto* leaves it alone.
+Pictures of {measured['size']} × {measured['size']} pixels drawn by {renderer} (`DrawOn`) are compared \
+with those of {still(rows[0], 'processor')}. The table has their differences in levels of 255 (mean, share of \
+the pixels above 4, largest), and the time of a picture after everything else is done [ms]. If OpenGL \
+is software, such as llvmpipe, these times only show why *Auto* does not use it.
 """ + table(rows, [("scene", lambda row: f"{row[0]}, {NAMES[row[1]]}"),
                    ("mean", lambda row: fixed(still(row, "mean"), 4)),
                    ("above 4", lambda row: percent(still(row, "above_4"), 3)),
                    ("largest", lambda row: fixed(still(row, "largest"))),
                    ("processor", lambda row: ms(still(row, "processor_seconds"))),
                    ("OpenGL", lambda row: ms(still(row, "opengl_seconds")))]) + """
-Uploads: bytes per point of the first picture and of the largest step of an optimisation, both with \
-shadows (2 of the extinction, 4 where it was added to, and 2 of the shadows, in bricks of 32³ \
-points that have changed), and bytes in all of a picture at rest and of one after a turn, with a \
-light that stays where it is: one that moves with the camera has other shadows.
+The next table has the uploads. *First* and *step* are bytes per point of the first picture and of the \
+largest step of an optimisation, both with shadows (2 for the extinction, 4 where it was added to, and 2 \
+for the shadows, in changed bricks of 32³ points). *Rest* and *turn* are the total bytes of a picture at \
+rest and of one after a turn. The light is fixed, because a light that moves with the camera would \
+change the shadows.
 """ + table(list(scenes), [("scene", str),
                            *[(key, lambda name, key=key: significant(upload(name, key)))
                              for key in ("first", "step")],
                            *[(key, lambda name, key=key: str(upload(name, key)))
                              for key in ("rest", "turn")]]) + """
-Frames of 1920 × 1080 pixels while the camera turns by one degree a frame, with shadows and the \
-optimisation: median and longest [ms]. The processor draws coarser frames, so that they take 100 ms.
+The next table has frames of 1920 × 1080 pixels while the camera turns by one degree per frame, with \
+shadows and the optimisation: median and longest [ms]. The processor draws coarser frames, so that they \
+take 100 ms.
 """ + table(list(scenes), [("scene", str),
                            *[(f"{label}, {key}", lambda name, device=device, key=key:
                               motion(name, device, key))

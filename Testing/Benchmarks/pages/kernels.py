@@ -71,11 +71,12 @@ def streams_section(streams):
     order = ("L1", "L2", "L3", "memory")
     chosen = sorted(rows.items(), key=lambda row: (row[0][1], order.index(row[0][0])))
     return """
-## What memory could do
+## Memory throughput
 
-The fastest of several rounds of plain loops over arrays of floats, compiled as the row kernels \
-are: read (sum of an array), copy (one to another), triad (a sum of two to a third), and the \
-library's memcpy. Bytes: every array once. Every thread has arrays of its own; KiB: all of them.
+The numbers are the fastest of several rounds of plain loops over arrays of floats, compiled in the \
+same way as the row kernels: read (sum of an array), copy (one to another), triad (a sum of two to a \
+third), and the library's memcpy. Bytes count every array once. Every thread has arrays of its own; \
+KiB is their total.
 """ + table(chosen, [
         ("arrays are in", lambda r: r[0][0]), ("threads", lambda r: r[0][1]),
         ("[KiB]", lambda r: fixed(r[1]["read"]["bytes"] / 1024)),
@@ -110,10 +111,10 @@ def floors_section(results):
     text = """
 ## A policy iteration and its floor
 
-Camera and light at full resolution. Floor: bytes over the fastest stream in memory with as many \
-threads. Bytes are counted, not measured: every field once for each pass that reads or writes it, \
-4 bytes a node, at the nodes that the pass visits; rays and tables stay in caches and do not \
-count. Samples: rays times layers.
+An iteration has camera and light at full resolution. The floor is the number of bytes over the fastest \
+stream in memory with as many threads. Bytes are counted, not measured: every field once for each pass \
+that reads or writes it, with 4 bytes per node, at the nodes that the pass visits. Rays and tables stay \
+in caches and do not count. Samples are rays times layers.
 """ + table(results, [
         ("scene", lambda r: r["scene"]), ("threads", lambda r: r["threads"]),
         ("filled", lambda r: percent(r["filled"] / r["voxels"])),
@@ -122,8 +123,8 @@ count. Samples: rays times layers.
         ("floor [ms]", lambda r: ms(r["floor"])), ("measured [ms]", lambda r: ms(r["seconds"])),
         ("measured / floor", lambda r: fixed(r["seconds"] / r["floor"], 1)),
         ("spread", lambda r: percent(r["spread"]))]) + """\
-Filled: nodes with extinction or importance. As for a GPU: bytes as the page on the GPU counts \
-them, at every filled node, whether rays come there or not. The passes, medians:
+Filled are nodes with extinction or importance. *As for a GPU* counts bytes as the page on the GPU does, \
+at every filled node, with or without rays. The next tables have the passes, as medians:
 """
     return text + "".join(map(passes_section, results))
 
@@ -136,8 +137,8 @@ def kernels_section(kernels):
     return """
 ## Kernels
 
-By Google Benchmark, medians. Small volumes, and rows of 256 columns, stay in caches. Bytes: what \
-a kernel reads and writes, each array once.
+The numbers are medians by Google Benchmark. Small volumes, and rows of 256 columns, stay in caches. \
+Bytes are those that a kernel reads and writes, each array once.
 """ + table(kernels, [
         ("kernel", lambda k: k["names"][0]), ("threads", lambda k: k["threads"]), ("call", call),
         ("item", lambda k: k["item"]),

@@ -67,7 +67,7 @@ def noise(spreads, limit=NOISY):
     """A warning if times lie far apart."""
     if max(spreads, default=0) <= limit:
         return ""
-    return ("**The machine was busy while this was measured (a spread above "
+    return ("**The machine was busy during the measurement (a spread above "
             f"{percent(limit)}): all times are preliminary.**\n\n")
 
 
@@ -76,7 +76,7 @@ def age_of(date):
     if date >= RESULTS_CHANGED:
         return ""
     return (f"\n**Not measured since {date}; times and results changed until {RESULTS_CHANGED}. "
-            "The command above measures them anew.**\n")
+            "The command above measures them again.**\n")
 
 
 def head(title, measured, command=None):
@@ -84,8 +84,8 @@ def head(title, measured, command=None):
     machine = measured["machine"]
     command = command or f"bash Testing/Benchmarks/run.sh --pages {title.lower()}"
     threads = f", {machine['threads']} threads used" if "threads" in machine else ""
-    text = (f"# {title}\n\nWhat the tables mean is in [README.md](README.md). The command of this "
-            f"page is `{command}`; its numbers are from\n\n    {machine['command']}\n\n"
+    text = (f"# {title}\n\n[README.md](README.md) explains the tables. The command of this page is "
+            f"`{command}`. Its numbers are from\n\n    {machine['command']}\n\n"
             f"* processor: {machine['processor']}, {machine['cores']} cores visible{threads}\n")
     if "compiler" in machine:
         text += f"* compiler: {machine['compiler']}, build type {machine['build_type']}\n"
@@ -97,6 +97,6 @@ def head(title, measured, command=None):
                  "memory do not depend on the load.\n")
     text += age_of(machine["date"])
     if "load_after" in machine:
-        text += (f"\nLoad average at the end: {machine['load_after']:.2f}, this program "
-                 "included.\n")
+        text += (f"\nLoad average at the end: {machine['load_after']:.2f}, including "
+                 "this program.\n")
     return text

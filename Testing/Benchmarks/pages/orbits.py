@@ -16,10 +16,11 @@ def page(measured):
         return fixed(of(name, key) / of(name, other), 2)
 
     return head("Orbits", measured, "python3 Testing/Benchmarks/orbits.py") + f"""
-Mean S over {measured['views']} views round the y axis, 20 degrees above the horizon and three radii \
-away, with a light that stays where it is: of the volume as it is (*ordinary*), of an optimum for \
-each view (*each*) and of one extinction for all (*one*, `Views` is *Orbit*). Sweeps: of one camera. \
-Time: of the run for all against those for each together, everything in the filter included.
+The table has the mean S over {measured['views']} views round the y axis, 20 degrees above the horizon \
+and three radii away, with a fixed light. *Ordinary* is the unchanged volume, *each* an optimum for each \
+view, and *one* one extinction for all (`Views` is *Orbit*). Sweeps are those of one camera. Time is the \
+time of the run for all views, relative to the total time of the runs for each view. Both include \
+everything in the filter.
 """ + table(scenes, [("scene", str),
                      *[(heading, lambda name, key=key: significant(of(name, key), 4))
                        for heading, key in (("ordinary", "ordinary"), ("each", "single"),

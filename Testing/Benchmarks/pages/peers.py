@@ -13,28 +13,29 @@ TIMES = ("value_cpu", "gradient_cpu")
 CAMERA = """
 ## Value and gradient, the camera alone
 
-S of the camera (Eq. (32)) of the onion scene and its derivative by the extinction of every node:
-the term that Mitsuba can be brought to compute, too. {threads}. *Error of S*: from the march,
-relative. *Error of slopes*: of the derivatives along three directions from central differences of
-the march, length of the error over their length. Of Mitsuba both are root mean squares of {repeats}
-evaluations with new random numbers; *noise* is that of the derivative at single nodes, over the
-derivative. *CPU to Limpid's error*: a value for its error of S, a value and gradient for its error
-of slopes, if errors fall with the root of the number of rays, and how many times Limpid's that is.
+The table has S of the camera (Eq. (32)) of the onion scene and its derivative by the extinction of
+every node. Mitsuba can be made to compute this term, too. {threads}. *Error of S* is relative to the
+march. *Error of slopes* compares the derivatives along three directions with central differences of the
+march. It is the length of the error over their length. For Mitsuba, both are root mean squares of
+{repeats} evaluations with new random numbers. *Noise* is that of the derivative at single nodes, over
+the derivative. *CPU to Limpid's error* is the time to reach the error of Limpid: that of S by values,
+that of slopes by values and gradients. It assumes that errors fall with the root of the number of
+rays. The second number is the ratio to Limpid's time.
 {table}
-**What Mitsuba does not do.** Its media have no emission, so `prbvolpath`, the integrator that it
-has for derivatives of media, is given a point light at the eye and half the extinction: light there
-and back has the transmittance of one way, and an albedo of importance times the distance's fourth
-power makes the radiance the integral wanted. `emission` is a short integrator for this page
-(`Testing/Benchmarks/peers/emission.py`), as a user of Mitsuba would write it: the same collisions,
-importance times distance squared as emission, and no light to be looked for. Both are estimates by
-random numbers. Mitsuba gets rays where something is important alone, one in each pixel, which
+**Missing features of Mitsuba.** Its media have no emission. So `prbvolpath`, its integrator
+for derivatives of media, uses a point light at the eye and half the extinction. Light on the way there
+and back then has the transmittance of one way. An albedo of importance times the fourth power of the
+distance makes the radiance equal to the desired integral. `emission` is a short integrator for this
+page (`Testing/Benchmarks/peers/emission.py`), as a user of Mitsuba would write it. It has the same
+collisions, importance times distance squared as emission, and no search for lights. Both are Monte
+Carlo estimates. Mitsuba gets rays only where the importance is positive, one in each pixel, which
 stratifies them. It has the light's term only by a second such run, no regularisation, no solver,
-and one majorant for the whole volume: empty space is crossed in steps of the densest matter.
+and one majorant for the whole volume. Empty space is therefore crossed in steps of the densest matter.
 
-**What it does that Limpid does not.** It scatters light as often as one likes. Its derivative is
-that of what it computes, as PyTorch's is; Limpid's is the derivative of the integral, taken at the
-nodes ([Deviations.md](../Deviations.md), D1 and D8), and is further from the differences along
-these directions than PyTorch's.
+**Additional features of Mitsuba.** It computes multiple scattering of any order. Its derivative is
+that of its own estimate, as with PyTorch. Limpid's is the derivative of the integral, taken at the
+nodes ([Deviations.md](../Deviations.md), D1 and D8). Along these directions, it is further from the
+differences than that of PyTorch.
 """
 
 
@@ -100,8 +101,8 @@ def in_short(results):
         time_ratios.append(fastest["gradient_cpu"] / ours["gradient_cpu"])
         plain_ratios.append(fastest["gradient_cpu"] / off["gradient_cpu"])
         memory_ratios.append(min(row["peak_bytes"] for row in peers) / ours["peak_bytes"])
-    return (f"Its fastest takes {span(time_ratios)} times as long for a value and gradient, "
-            f"{span(plain_ratios)} times with skips off, and its smallest "
+    return (f"The fastest variant takes {span(time_ratios)} times as long for a value and gradient, "
+            f"{span(plain_ratios)} times with skips off. The smallest variant needs "
             f"{span(memory_ratios)} times the memory.")
 
 
@@ -114,13 +115,13 @@ def device_section(name, results):
     text = f"\n### {name}\n{time_table(results)}"
     spread = max(row["gradient_spread"] for row in rows_of(results))
     if spread > NOISY:
-        text += (f"**Times of the same evaluation lay up to {percent(spread)} apart: the machine "
+        text += (f"**Times of the same evaluation differed by up to {percent(spread)}: the machine "
                  "was busy, and the times are preliminary.**\n\n")
     if results[0]["device"] != "cpu":
         return text + "Limpid on this device: not measured.\n"
     if not any("PyTorch" in row["program"] for row in rows_of(results)):
         return text
-    return text + ("PyTorch's CPU time and memory as multiples of Limpid's. "
+    return text + ("The table has PyTorch's CPU time and memory as multiples of Limpid's. "
                    f"{in_short(results)}\n{ratio_table(results)}")
 
 
@@ -179,7 +180,7 @@ def page(numbers):
     facts = builds + numbers["pictures"]["versions"]
     text = head("Peers", {"machine": {**numbers["machine"], "facts": facts}}, COMMAND)
     if numbers["absent"]:
-        text += f"\n**Absent, so not measured: {', '.join(numbers['absent'])}.**\n"
+        text += f"\n**Not installed and therefore not measured: {', '.join(numbers['absent'])}.**\n"
     text += peers_pictures.section(numbers["pictures"])
     text += camera_section(numbers["camera"])
     text += f"\n## The whole energy, values and derivatives\n{truth_table(measured)}"

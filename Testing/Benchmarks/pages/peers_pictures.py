@@ -26,36 +26,37 @@ ABILITIES = """
 | --- | --- | --- | --- | --- |
 | draws | scalars by transfer functions | the same | the same | a density, one colour |
 | shading by gradients | yes | yes | yes | no |
-| shadows | a shadow volume, kept while the light rests | no | rays to the light, if asked for | \
+| shadows | a shadow volume, kept while the light rests | no | rays to the light, optional | \
 rays to the light |
 | light | point, directional | the same | the same | directional |
 | optimised extinction, derivative | yes | no | no | no |
 | numbers | float32 | 15 bits | OpenGL's, here by llvmpipe without a GPU | float64 |
 | a ray ends at a transmittance of | 1/1024 | 1/128 | 1/255 | 1/1024 here; its own: 0.04 |
-| leaves out empty space | by bricks | by blocks of 4³ cells | no | by the tree of its grid |
+| skips empty space | by bricks | by blocks of 4³ cells | no | by the tree of its grid |
 """
 TEXT = """
-Phantom of a head (vtkOcclusionPhantom), {nodes}³, {size} × {size} pixels, a sample per voxel of
-each ray; camera, light and functions of `Documentation/Examples/scenes.py`; *small*: a quarter of
-the size along each side; *opaque*: as much extinction per voxel as else per unit of length,
-{dense} times as dense. *CPU*: seconds of all cores for one picture from another camera, with which
-the light goes unless it rests; *times Limpid's*: over the first row's. *Pictures*: how many the
-median is of. *Peak*: memory of a first picture beyond what was there before, the volume not
-counted; of vdb_render the whole process with its grid.
+The scene is the phantom of a head (vtkOcclusionPhantom) with {nodes}³ points, {size} × {size} pixels,
+and a sample per voxel of each ray. Camera, light and functions are those of
+`Documentation/Examples/scenes.py`. *Small* is a quarter of the size along each side. *Opaque* has per
+voxel the extinction that is otherwise per unit of length, and is {dense} times as dense. *CPU* is the
+time of all cores in seconds for one picture from another camera. The light moves with the camera unless
+it rests. *Times Limpid's* is relative to the first row. *Pictures* is the number of pictures in the
+median. *Peak* is the memory of a first picture beyond the initial memory, without the volume. For
+vdb_render it is the whole process with its grid.
 """
 NOTES = """
-**What could not be matched.** vdb_render has no transfer function: its density is the extinction
-per voxel (scatter 1, absorb 0, gain 0), so its optical depths are those of the others, and its
-picture is white. Its light is directional. It has no switch for shadows: with a shadow step beyond
-the volume a ray to the light is set up at every sample all the same, and nothing sampled along it.
-With shadows it samples every third voxel, its default, from the first such step on; Limpid and
-VTK sample every voxel. Its rays are fast where they end at a surface: the rows *opaque* are what
-comes of giving it extinctions per unit of length, which is another scene. Shading differs: VTK has
-Phong's at every sample, Limpid single scattering (Eqs. (3)-(6)). By default Limpid draws 0.7 of a shadow, and 0.35 of its light comes from all sides,
-so its pictures are brighter. A slow peer is drawn once, with what prepares its first picture. VTK's
-shadows (VolumetricScatteringBlending 2, GlobalIlluminationReach 1) are drawn in a quarter of the
-size along each side, and Limpid's beside them: one in full size took more than four minutes of
-this processor, and was not waited for.
+**Differences that could not be matched.** vdb_render has no transfer function. Its density is the
+extinction per voxel (scatter 1, absorb 0, gain 0), so its optical depths are those of the others, and
+its picture is white. Its light is directional. It has no switch for shadows. With a shadow step beyond
+the volume, a ray to the light is still set up at every sample, but without samples along it. With
+shadows it samples every third voxel, its default, from the first such step on. Limpid and VTK sample
+every voxel. The rays of vdb_render are fast if they end at a surface. The rows *opaque* give it extinctions per
+unit of length, which is another scene. Shading differs: VTK uses Phong shading at every sample, Limpid
+single scattering (Eqs. (3)-(6)). By default Limpid draws 0.7 of a shadow, and 0.35 of its light comes
+from all sides, so its pictures are brighter. A slow program draws one picture, including the
+preparation of its first picture. VTK's shadows (VolumetricScatteringBlending 2,
+GlobalIlluminationReach 1) are drawn in a quarter of the size along each side, and Limpid's beside them.
+A picture in full size took more than four minutes of this processor and was stopped.
 """
 
 
@@ -100,8 +101,8 @@ def section(pictures):
     text += "\n![The pictures side by side](Plots/peers-pictures.png)\n"
     for heading, names in GROUPS.items():
         text += f"\n### {heading.capitalize()}\n{time_table(pictures, names)[:-1]}"
-    text += "\n### What each does\n" + ABILITIES + NOTES
-    text += ("\n### Whether they draw the same\n\nMean absolute differences [1/255] of pictures "
-             "without light; vdb_render's are small and white, with the light far away.\n"
+    text += "\n### Features\n" + ABILITIES + NOTES
+    text += ("\n### Differences of the pictures\n\nThe table has mean absolute differences [1/255] of pictures "
+             "without light. Those of vdb_render are small and white, with the light far away.\n"
              f"{difference_table(pictures)}")
     return text + f"### Moving\n{moving_table(pictures)}"

@@ -25,11 +25,11 @@ def page(measured):
 
     ordered = sum(map(is_ordered, rows))
     return head("Presets", measured, "python3 Testing/Benchmarks/presets.py") + f"""
-Visible share of the important structures in per cent, by the filter, with the scene's camera, light and \
-importance: as the data are, and with the presets. *Distance* is that on which the opacity function \
-holds, in the scene's own or, with ParaView's default opacity, in the length of a cell: the longer it \
-is, the thinner are the data. In {ordered} of {len(rows)} rows *Keep Context*, *Default* and *Strong \
-Reveal* show more in this order.
+The table has the visible share of the important structures in per cent, by the filter, with the \
+scene's camera, light and importance, without optimisation (*before*) and with the presets. *Distance* \
+is the unit distance of the opacity function, relative to that of the scene or, with ParaView's default \
+opacity, to the length of a cell. The longer it is, the thinner are the data. In {ordered} of \
+{len(rows)} rows *Keep Context*, *Default* and *Strong Reveal* show more in this order.
 """ + table(rows, [("scene", lambda row: row[0]), ("opacity", lambda row: KINDS[row[1]]),
                    ("distance", lambda row: fixed(row[2]["distance"], 2)),
                    ("before", lambda row: fixed(

@@ -59,17 +59,18 @@ def model_table(counted, seconds_per_node):
 
 def page(measured):
     text = head("Ranks", measured, "python3 Testing/Benchmarks/ranks.py --all") + """
-One optimisation by the filter, by processes of MPI (*ranks*) that each have a slab of the image, bound to one processor each
-as long as there are enough; the first row is one process with one thread, the second one with all. Medians of the iterations
-over the runs, their sum, and everything in the filter, arrays of transmittance included. Efficiency: one thread's time over
-that of so many threads' together, of an iteration in which nothing is touched for the first time (*steady*: the fourth) and
-of all iterations. Growth: resident memory of the first rank at its peak, above what it has before, its piece of the image and
-the results among it. More processes than processors say nothing about time.
+The filter runs one optimisation on MPI processes (*ranks*). Each has a slab of the image and is bound to one processor, as
+long as there are enough. The first row is one process with one thread, the second one with all threads. The tables have medians
+of the iterations over the runs, their sum, and the time of the whole filter, including arrays of transmittance. Efficiency is
+the time of one thread over the total time of all threads. It is given for an iteration in which no memory is used for the
+first time (*steady*: the fourth) and for all iterations. Growth is the peak resident memory of the first rank beyond its
+initial memory. It includes its piece of the image and the results. With more processes than processors, times are meaningless.
 
-A rank's memory has two parts: its pieces of fields, and of the fields of an iteration the nodes beside its bands of camera
-and light, or beside those of the camera alone, or a slab: the first of these that takes no more than 1.35 times a share, for
-it is the fastest. And what is two-dimensional: images of the rays that it has or reads, those of nine times as many rays for
-the arrays of transmittance, slices of fields that are elsewhere, and plans, which are whole on every rank.
+A rank's memory has two parts. The first consists of its pieces of fields and the nodes that an iteration needs: those beside
+its bands of camera and light, or beside those of the camera alone, or a slab. The first of these choices that takes at most
+1.35 times a share is used, because it is the fastest. The second part is two-dimensional: images of the rays that it has or
+reads, images of nine times as many rays for the arrays of transmittance, slices of fields of other ranks, and plans, which are
+whole on every rank.
 """
     for name, rows in measured["scenes"].items():
         one = rows[0]
@@ -95,10 +96,10 @@ the arrays of transmittance, slices of fields that are elsewhere, and plans, whi
             ("same score", lambda row: "yes" if row["score"] == one["score"] else "no")])
         counted = measured["counted"][name]
         text += f"""
-What ranks say to each other, counted by `limpid_count_ranks`: of an iteration in the middle, by the \
-rank that has most. A rank waits where it needs what others have. Uneven: work of the rank that has \
-most over the mean, if all wait for each other on every slice. Held: memory for a field, in whole pages, \
-of the rank that has most, over its share of all nodes.
+`limpid_count_ranks` counts the communication of ranks in an iteration in the middle, for the rank with \
+the largest number. A rank waits where it needs data of others. Uneven is the largest work of a rank \
+over the mean, if all wait for each other on every slice. Held is the largest memory of a rank for a \
+field, in whole pages, over its share of all nodes.
 
 """ + table(counted["counts"], [
             ("ranks", lambda row: str(row["ranks"])),
@@ -110,11 +111,11 @@ of the rank that has most, over its share of all nodes.
             ("held", lambda row: fixed(row["held"], 2))])
         seconds_per_node = steady(one) / float(counted["filled"])
         text += f"""
-**A model, not measured**: an iteration where the scene has {fixed(1e9 * seconds_per_node, 0)} ns of \
-work per filled node, as above with one thread, and is filled everywhere; ranks of {THREADS} threads, \
-{percent(EFFICIENCY)} of whose time is work; {fixed(1e6 * LATENCY, 0)} µs per wait, \
-{fixed(BANDWIDTH / 1e9, 0)} GB/s per rank; bands as uneven as those above with as many rows; nothing \
-overlaps.
+**A model, not measured**: The scene has {fixed(1e9 * seconds_per_node, 0)} ns of work per filled node in \
+an iteration, as above with one thread, and is filled everywhere. Ranks have {THREADS} threads, and \
+{percent(EFFICIENCY)} of their time is work. There are {fixed(1e6 * LATENCY, 0)} µs per wait and \
+{fixed(BANDWIDTH / 1e9, 0)} GB/s per rank. Bands are as uneven as those above with as many rows. Work and \
+communication do not overlap.
 
 """ + model_table(counted, seconds_per_node)
     return text

@@ -39,7 +39,8 @@ def page(measured):
     return head("Rendering", measured) + f"""
 ## A still picture, stage by stage
 
-{size} × {size} pixels, lit, with shadows, of the optimised extinction, everything from the start.
+The picture has {size} × {size} pixels and shows the optimised extinction with light and shadows. All \
+stages start from nothing.
 """ + table(scenes, [
         SCENE, ("nodes", lambda s: sizes(s["nodes"])), *times("still", STAGES),
         ("all [ms]", lambda s: ms(sum(s["still"]["seconds"].values()))),
@@ -47,9 +48,10 @@ def page(measured):
             [s["still"]["spread"]["rays"] for s in scenes], 0.2) + """
 ## Rays
 
-Of the same picture; seconds of the processor are those of all threads, of which another program on \
-the machine takes less. The last three columns: with shadows, nothing skipped and no ray ended \
-early; the samples per second of that; and how much of its time is saved.
+The rays are those of the same picture. Seconds of the processor are those of all threads, which other \
+programs on the machine disturb less. The last three columns have the time with shadows, without skips \
+and without early ends of rays; the samples per second of that; and the share of its time that skips \
+save.
 """ + table(rays, [
         SCENE, ("extinction", lambda r: r["extinction"]),
         ("samples on all rays [millions]", lambda r: fixed(1e-6 * r["samples"])),
@@ -62,24 +64,25 @@ early; the samples per second of that; and how much of its time is saved.
         ("time left out", lambda r: percent(1 - r["shadowed"] / r["every_sample"]))]) + """
 ## Methods
 
-The same picture by each method, as the display draws it, in turns; without what is done once for \
-a view. Those of 2004 and 2010 are shaded but have no shadows.
+Each method draws the same picture as the display does, in turns, without the work that is done once \
+for a view. The methods of 2004 and 2010 are shaded but have no shadows.
 """ + table(scenes, [
         SCENE, *(by_method(name, False) for name in methods),
         *(by_method(name, True) for name in methods[1:])]) + f"""
 ## A moving frame
 
-{moving} × {moving} pixels, lit, with shadows; {scenes[0]['frames']} frames, each 2 degrees on, \
-with {ms(scenes[0]['preview_seconds'])} ms for one pass of the optimisation. Medians.
+The frames have {moving} × {moving} pixels, light and shadows. There are {scenes[0]['frames']} frames, 2 \
+degrees apart, with {ms(scenes[0]['preview_seconds'])} ms for one pass of the optimisation. The numbers \
+are medians.
 """ + table(scenes, [
         SCENE, ("optimised on", lambda s: sizes(s["moving"]["nodes"])), *times("moving", FRAMES),
         ("longest frame [ms]", lambda s: ms(s["moving"]["longest"]))]) + """
 ## Few rays, or a sweep
 
-A picture composited by a sweep from slice to slice and warped to the screen has the rays of the \
-sweep, here one per voxel and axis; the same number of rays can be cast through pixels. Base \
-extinction, unlit. The sweep sums extinction and importance only: colours and light would come on \
-top.
+A picture can be composited by a sweep from slice to slice and warped to the screen. It then has the \
+rays of the sweep, here one per voxel and axis. The table compares it with casting the same number of \
+rays through pixels, for the base extinction without light. The sweep sums extinction and importance \
+only. Colours and light would be added.
 """ + table(scenes, [
         SCENE, ("rays", lambda s: s["few_rays"]["rays"]),
         ("one sweep [ms]", lambda s: ms(s["few_rays"]["sweep"])),

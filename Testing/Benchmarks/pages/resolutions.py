@@ -17,8 +17,8 @@ COLUMNS = [
 
 def page(measured):
     text = head("Resolutions", measured) + f"""
-The policy on fewer nodes and with more or fewer rays, camera and light; medians of \
-{measured['options']['repeats']:g} runs, each with resampling to and from the coarse grid.
+The policy runs on fewer nodes and with more or fewer rays, for camera and light. The numbers are \
+medians of {measured['options']['repeats']:g} runs, each with resampling to and from the coarse grid.
 """
     for scene in measured["scenes"]:
         text += f"\n## {scene['name']}\n{table(scene['pictures'], COLUMNS)}"

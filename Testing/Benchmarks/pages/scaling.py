@@ -65,12 +65,13 @@ def sizes_section(measured):
     return f"""
 ## Time against voxels
 
-Medians of {measured['options']['repeats']:g} rounds through all sizes (of three at most from \
-300³ on), {measured['machine']['threads']} threads, wall time. Policy iteration (from the third \
-on) and Adam iteration: camera and light at full resolution. Score: one of several directions. \
-Spread: slowest less fastest policy iteration over the median.
+The numbers are wall times, medians of {measured['options']['repeats']:g} rounds through all sizes (of \
+three at most from 300³ on), with {measured['machine']['threads']} threads. Policy iteration (from the \
+third on) and Adam iteration have camera and light at full resolution. Score is one of several \
+directions. Spread is the slowest minus the fastest policy iteration, over the median.
 """ + table(entries, [SCENE, ("nodes", lambda e: f"{e['side']}³"), *time_columns(), SPREAD]) + f"""\
-Exponent e of time ∝ voxels^e, least squares in the logarithms, sizes from {SMALLEST_FITTED}³ on:
+The next table has the exponent e of time ∝ voxels^e, by least squares in the logarithms, for sizes \
+from {SMALLEST_FITTED}³ on:
 """ + table(fits_of(entries), [
         SCENE, ("sizes", lambda f: f"{f['smallest']}³ … {f['largest']}³"),
         *((step, lambda f, step=step: fixed(f["exponents"][step], 3)
@@ -81,9 +82,9 @@ def memory_section(measured):
     return """
 ## Memory against voxels
 
-Peak resident memory of a default run to the end (policy, camera and light), from the solver's \
-constructor on, less what was resident before: the input's two arrays (8 bytes a voxel) are not \
-in it, the result is. Every run has a process of its own.
+The numbers are the peak resident memory of a default run to the end (policy, camera and light), from \
+the solver's constructor on, minus the memory that was resident before. The two arrays of the input \
+(8 bytes a voxel) are not included, the result is. Every run has a process of its own.
 """ + table(measured["memory"], [
         SCENE, ("nodes", lambda v: f"{v['side']}³"),
         ("beyond the input [MiB]", lambda v: mebibytes(v["bytes"])),
@@ -96,9 +97,10 @@ def threads_section(measured):
     return f"""
 ## Threads
 
-Medians of {measured['options']['repeats']:g} rounds, numbers of threads in turns in one process, \
-wall time. Efficiency: time on one thread over the product of threads and time on all. Cores: the \
-same for plain arithmetic, times the threads: what the machine lent meanwhile.
+The numbers are wall times, medians of {measured['options']['repeats']:g} rounds, with the numbers of \
+threads in turns in one process. Efficiency is the time on one thread over the product of threads and \
+time on all. Cores is the same for plain arithmetic, times the threads: the cores that the machine \
+provided at the same time.
 """ + table(rows, [SCENE, ("nodes", lambda r: sizes(r["nodes"])),
                    ("threads", lambda r: r["threads"]), *time_columns(), SPREAD]) + "Parallel efficiency:\n" + table(results, [
                        SCENE, ("threads", lambda r: r["times"][-1]["threads"]),
@@ -118,18 +120,20 @@ def skips_section(measured):
                 ("skipped", lambda r: percent(skipped(r)[eye], 1))]
 
     return """
-## What is left out, and the time that it saves
+## Skipped work and saved time
 
-Counted in the plans of the sweeps. Voxels: nodes that no ray of camera or light reads and no \
-iteration can change. Samples: rays times layers, against the same with SkipUnneeded off.
+The numbers are counted in the plans of the sweeps. Voxels are nodes that no ray of camera or light \
+reads and no iteration can change. Samples are rays times layers, relative to the same with \
+SkipUnneeded off.
 """ + table(measured["skips"], [
         SCENE, ("not empty", share("filled")), ("read by camera", share("read by camera")),
         ("read by light", share("read by light")),
         ("voxels skipped", lambda r: percent(skipped(r)["voxels"], 1)), *samples("camera"),
         *samples("light"),
         ("samples skipped", lambda r: percent(skipped(r)["samples"], 1))]) + f"""\
-Default runs to the end with skips on and off in turns, {measured['machine']['threads']} threads, \
-medians of {measured['options']['repeats']:g}, after a warm-up of each:
+The next table has default runs to the end with skips on and off in turns, with \
+{measured['machine']['threads']} threads, medians of {measured['options']['repeats']:g}, after a warm-up \
+of each:
 """ + table(measured["skips"], [
         SCENE, *off_and_on([("iteration [ms]", "later", ms), READY, WHOLE], lambda r: r),
         ("spread", lambda r: percent(spread(r)))])
@@ -144,14 +148,14 @@ def is_noisy(measured):
 
 def page(measured):
     text = head("Scaling", measured) + """
-onion: a core in a shell, the corners of the box are empty; dense: the same in a haze that leaves \
-nothing empty. The core is important. Skips off: whatever the scene does not need is computed, \
-too, as if everything were important.
+Onion is a core in a shell, and the corners of the box are empty. Dense is the same in a haze that \
+leaves no voxel empty. The core is important. With skips off, voxels that the scene does not need are \
+also computed, as if everything were important.
 """
     if is_noisy(measured):
         text += """
-**The machine was busy while this was measured (a spread above 25 %, or fewer cores than \
-threads): all times are preliminary.**
+**The machine was busy during the measurement (a spread above 25 %, or fewer cores than threads): all \
+times are preliminary.**
 """
     parts = (("sizes", sizes_section), ("memory", memory_section), ("threads", threads_section),
              ("skips", skips_section))

@@ -32,21 +32,22 @@ def quality(scenes, options):
     return f"""
 ## Policy against Adam
 
-The march is that of Testing/Reference: double precision, {options['march-rays']:g} rays per \
-voxel and axis, four Gauss points in every piece of a cell, no code of the solver.
+The march is that of Testing/Reference. It uses double precision, {options['march-rays']:g} rays per \
+voxel and axis, four Gauss points in every piece of a cell, and no code of the solver.
 
 ### Are the reported scores true?
 
-Scores [length²] that the solver reports against those of the march.
+The table compares scores [length²] reported by the solver with those of the march.
 """ + table(scenes, [SCENE, *checked("base S", ["quality", "base"]),
                      *checked("policy S", ["quality", "policy", "S"]),
                      *checked("Adam S", ["quality", "adam", "S"])]) + """\
 ### Which solver ends lower?
 
-Policy with default settings against Adam with 32, 32 and 64 iterations on a quarter, half and \
-full resolution. F is the energy of Eq. (21); the last column is negative where the policy's is \
-lower, that is, better. S after one iteration is the reported one. Visible: of the important structures \
-in the data, the share whose light reaches the camera. Times are those of one run each, with setup.
+The table compares the policy with default settings and Adam with 32, 32 and 64 iterations on a \
+quarter, half and full resolution. F is the energy of Eq. (21). The last column is negative where the \
+policy has lower energy, which is better. S after one iteration is the reported one. Visible is the \
+share of the important structures in the data whose light reaches the camera. Times are those of one \
+run each, with setup.
 """ + table(scenes, [
         SCENE, ("policy, 1 iteration: F", lambda s: fixed(s["quality"]["policy"]["first_F"])),
         ("S", lambda s: significant(s["quality"]["policy"]["first_S"], 5)),
@@ -85,10 +86,11 @@ def time_of_runs(scenes, measured):
     return f"""
 ## Time
 
-Policy, default settings, camera and light, {measured['machine']['threads']} threads. Wall time, \
-medians of {measured['options']['repeats']:g} runs with skips on and off in turns, after a \
-warm-up of each. Setup ends with score and energy of the base extinction. Spread: slowest less \
-fastest whole run over the median; much more than 10 % means that the machine was busy.
+The policy runs with default settings, for camera and light, on \
+{measured['machine']['threads']} threads. The numbers are wall times, medians of {measured['options']['repeats']:g} runs with skips on and off in \
+turns, after a warm-up of each. Setup ends with score and energy of the base extinction. Spread is the \
+slowest minus the fastest whole run, over the median. Much more than 10 % means that the machine was \
+busy.
 """ + table(scenes, [
         SCENE, ("voxels", lambda s: sizes(s["nodes"])), on("setup [ms]", "setup"),
         on("first pass [ms]", "first"), on("setup + first pass [ms]", "ready"),
@@ -96,7 +98,7 @@ fastest whole run over the median; much more than 10 % means that the machine wa
         on("whole run [s]", "whole", significant),
         ("spread", lambda s: percent(spread(s["time"])))]) + noise(
             [spread(s["time"]) for s in scenes], 0.2) + """\
-### With and without leaving out what is not needed
+### With and without skipping
 """ + table(scenes, [SCENE, *off_and_on([READY, ("later iteration [ms]", "later", ms), WHOLE])])
 
 
@@ -119,9 +121,10 @@ def against_paper(scenes, options):
     return f"""
 ## The paper's scheme
 
-An Adam iteration at full resolution, camera and light, single precision: perspective grids with \
-{options['paper-samples']:g} samples per voxel and axis (Eqs. 13, 17–20, 26–28) beside Limpid's \
-sweeps with their defaults, in turns, after one iteration of each as warm-up; medians.
+The table has an Adam iteration at full resolution, camera and light, in single precision. \
+Perspective grids with {options['paper-samples']:g} samples per voxel and axis (Eqs. 13, 17–20, 26–28) \
+and Limpid's sweeps with their defaults run in turns, after one iteration of each as warm-up. The \
+numbers are medians.
 """ + table(scenes, [
         SCENE, ("camera grid", lambda s: sizes(s["paper"]["camera_cells"])),
         ("light grid", lambda s: sizes(s["paper"]["light_cells"])),
@@ -130,8 +133,9 @@ sweeps with their defaults, in turns, after one iteration of each as warm-up; me
         ("Limpid [ms]", lambda s: ms(of("limpid", "time")(s)["seconds"])),
         ("ratio", lambda s: fixed(of("paper", "time")(s)["seconds"]
                                   / of("limpid", "time")(s)["seconds"], 1))]) + """\
-Scores that both report themselves, as deviations from the march, and what the same number of \
-Adam iterations from the base extinction led to. F is that of Limpid's sweeps for both fields.
+The next table has the scores that both report, as deviations from the march, and the results of the \
+same number of Adam iterations from the base extinction. F is computed by Limpid's sweeps for both \
+fields.
 """ + table(scenes, [
         SCENE, ("base S, march", lambda s: significant(s["paper"]["base_march"], 5)),
         ("paper's scheme", base("paper")), ("Limpid", base("limpid")),
@@ -149,12 +153,12 @@ def memory(scenes):
     return """
 ## Memory
 
-Peak resident memory of a run to the end, from the solver's constructor on, less what was \
-resident before: the input's two arrays are not in it, the result is. Each run has a process of \
-its own, forked before any threads are started, that reads the scene, gives free memory back \
-(malloc_trim), resets the peak (/proc/self/clear_refs) and in the end reads VmHWM less the \
-earlier VmRSS from /proc/self/status. Stacks of threads and freshly used pages of libraries \
-count, which shows in small scenes. Policy: default settings; Adam: two iterations per level.
+The numbers are the peak resident memory of a run to the end, from the solver's constructor on, minus \
+the memory that was resident before. The two arrays of the input are not included, the result is. Each \
+run has a process of its own, forked before any threads are started. It reads the scene, returns free \
+memory (malloc_trim) and resets the peak (/proc/self/clear_refs). At the end it reads VmHWM minus the \
+earlier VmRSS from /proc/self/status. Stacks of threads and newly used pages of libraries count, which \
+is visible in small scenes. The policy has default settings, Adam two iterations per level.
 """ + table(scenes, [SCENE, ("voxels", voxels),
                      ("policy [MiB]", lambda s: mebibytes(s["memory"]["policy"])),
                      ("policy [byte/voxel]", per_voxel("policy")),

@@ -27,23 +27,24 @@ def page(measured):
     return head("Steadiness", measured, "python3 Testing/Benchmarks/steadiness.py") + f"""
 ## The camera turns
 
-{measured['frames']} converged pictures of {measured['size']} × {measured['size']} pixels, \
-{measured['degrees']:g} degree apart: mean number of pixels of which a channel changes by more than \
-30 of 255 from one to the next. *off*: without optimization; *frozen*: with the extinction of the \
-first picture; the others: how many more than *frozen*, by `TemporalCoherence`, with all else as \
-the display has it.
+There are {measured['frames']} converged pictures of {measured['size']} × {measured['size']} pixels, \
+{measured['degrees']:g} degree apart. The table has the mean number of pixels in which a channel changes \
+by more than 30 of 255 from one picture to the next. *Off* is without optimization, *frozen* with the \
+extinction of the first picture. The other columns have the number beyond *frozen*, by \
+`TemporalCoherence`, with the display's defaults otherwise.
 """ + table(scenes, [("scene", str), ("off", lambda name: fixed(turn(name)["off"])),
                      ("frozen", lambda name: fixed(turn(name)["frozen"])),
                      *columns("beyond it,", beyond)]) + """
-The mean score of these pictures, against that without:
+The next table has the mean score of these pictures, relative to that without coherence:
 """ + table(scenes, [("scene", str),
                      ("S", lambda name: significant(turn(name)["score"][0], 4)),
                      *columns("S,", loss(turn))[1:]]) + f"""
 ## Time goes on
 
-{measured['steps']} steps by the filter, as it is by default but for `TemporalCoherence`: the scalars \
-move on by a voxel every other step, and noise of 2 % of their range is another in every step. Mean \
-share of filled nodes whose extinction changes by more than half the majorant from one step to the \
-next, and by a quarter more than their base does, and mean score against that without:
+The filter computes {measured['steps']} steps with its defaults, except for `TemporalCoherence`. The \
+scalars move by a voxel every other step, and noise of 2 % of their range is new in every step. *Flips* \
+is the mean share of filled nodes with two properties: their extinction changes by more than half the \
+majorant from one step to the next, and by a quarter more than their base does. The mean score is \
+relative to that without coherence:
 """ + table(scenes, [("scene", str), *columns("flips,", lambda name, i: percent(
         time(name)["flips"][i], 2)), *columns("S,", loss(time))[1:]])

@@ -35,14 +35,14 @@ def page(measured):
     return head("Viewpoints", measured) + f"""
 ## A search
 
-Cameras at three radii, rays one per voxel and axis, {measured['machine']['threads']} threads, \
-wall time, medians of {measured['options']['repeats']:g} runs. Score, and score and slope: one \
-direction after the other, mean over {few}. Search: setup, {scenes[0]['directions']} directions, \
-and climbs from the best.
+Cameras are at three radii, with one ray per voxel and axis and {measured['machine']['threads']} \
+threads. The numbers are wall times, medians of {measured['options']['repeats']:g} runs. Score, and score \
+and slope, process one direction after the other; the mean over {few} is given. Search is the setup, \
+{scenes[0]['directions']} directions, and climbs from the best.
 {table(rows, searches)}{noise([r['spread']['search'] for r in rows], 0.2)}## Run time against error
 
-S of {few} directions against the march of Testing/Reference: double precision, \
+S of {few} directions is compared with the march of Testing/Reference. The march uses double precision, \
 {significant(measured['options']['march-rays'], 2)} rays per voxel and axis, four Gauss points in \
-every piece of a cell, no code of the sweeps. ρ: rays per voxel and axis of the sweep; times as \
-above.
+every piece of a cell, and no code of the sweeps. ρ is the number of rays per voxel and axis of the \
+sweep. Times are as above.
 """ + table(rows, densities)
