@@ -3,12 +3,18 @@
 # SPDX-License-Identifier: BSD-3-Clause
 
 # Checks the sources in ways that the build does not.
-#   bash Testing/check.sh [format] [tidy] [tidy-tests] [clang] [sanitize] [threads] [fuzz]
-#     [sanitize-all] [threads-all]
-# Without arguments: all but the last two.
+#   bash Testing/check.sh [format] [spelling] [licences] [hosting] [tidy] [tidy-tests] [clang]
+#     [sanitize] [threads] [fuzz] [tidy-changed] [sanitize-all] [threads-all] [coverage]
+# Without arguments: all but the last four. The first four take seconds and need no build. Testing/tools.txt
+# sets the versions of their tools.
 # format        compares the layout of all sources with .clang-format.
+# spelling      looks for misspelt words. .codespellrc lists exceptions.
+# licences      checks that every file states its copyright and licence (REUSE).
+# hosting       checks the files for GitHub and GitLab against their schemas.
 # tidy          runs clang-tidy on the product, as the C++ compiler sees it in build/: build there first.
 # tidy-tests    does so on Testing/, which takes as long again and more.
+# tidy-changed  does so on the sources that differ from the commit LIMPID_BASE (main). For a header, it
+#               takes the source of the same name, or else one that includes it.
 # clang         builds the core and its tests with clang, in build/clang, and runs the quick ones.
 # sanitize      builds core, filters and their tests with the sanitizers of addresses and of undefined
 #               behaviour, in build/sanitize, and runs a selection of the quick ones.
@@ -19,31 +25,36 @@
 # fuzz          feeds solver and filter with what libFuzzer makes up of LIMPID_FUZZ_SEED (1), which is
 #               about the same each time, for LIMPID_FUZZ_SECONDS (60) each, in build/sanitize, which
 #               keeps what it has found: the next run goes on from there.
+# coverage      builds the core and its tests in build/coverage, runs the quick ones, and prints the share
+#               of the core's lines that ran. build/coverage/report/index.html shows the lines.
 
 set -euo pipefail
 
 root="$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)"
 cd "$root"
-# Each version of clang-format has a layout of its own.
-layout_version=14
+
+tool() { bash Testing/tool.sh "$@"; }
 
 check_format()
 {
-  local formatter=clang-format
-  if command -v "clang-format-$layout_version" > /dev/null; then
-    formatter="clang-format-$layout_version"
-  fi
-  local version
-  version="$("$formatter" --version | grep -oE 'version [0-9]+')"
-  if [[ "$version" != "version $layout_version" ]]; then
-    echo "The layout is not checked: it is that of clang-format $layout_version, here is $version."
-    return
-  fi
   find Documentation cuda Filters Plugin Representations Testing -name '*.h' -print0 -o -name '*.cxx' -print0 |
-    xargs -0 "$formatter" --dry-run -Werror
+    xargs -0 bash Testing/tool.sh clang-format --dry-run -Werror
 }
 
-# Runs clang-tidy on the sources in some folders.
+check_spelling() { git ls-files -z | xargs -0 bash Testing/tool.sh codespell; }
+
+check_licences() { tool reuse lint --lines; }
+
+check_hosting()
+{
+  tool check-jsonschema --builtin-schema vendor.github-workflows .github/workflows/*.yml
+  tool check-jsonschema --builtin-schema vendor.gitlab-ci .gitlab-ci.yml
+  tool check-jsonschema --builtin-schema vendor.github-issue-forms .github/ISSUE_TEMPLATE/[!c]*.yml
+  tool check-jsonschema --builtin-schema vendor.github-issue-config .github/ISSUE_TEMPLATE/config.yml
+  tool check-jsonschema --builtin-schema vendor.citation-file-format CITATION.cff
+}
+
+# Runs clang-tidy on some sources, or on those in some folders.
 tidy()
 {
   if [[ ! -f build/compile_commands.json ]]; then
@@ -55,20 +66,52 @@ tidy()
   python3 - "$root" "$@" > build/tidy/sources << 'EOF'
 import json, pathlib, sys
 root = pathlib.Path(sys.argv[1])
-folders = [root / name for name in sys.argv[2:]]
+named = [root / name for name in sys.argv[2:]]
+def is_named(file):
+    return any(path == file or path in file.parents for path in named)
 commands = [entry for entry in json.loads((root / "build/compile_commands.json").read_text())
             if "nvcc" not in entry["command"].split()[0]
-            and any(folder in pathlib.Path(entry["file"]).parents for folder in folders)]
+            and is_named(pathlib.Path(entry["file"]))]
 (root / "build/tidy/compile_commands.json").write_text(json.dumps(commands))
 print("\n".join(sorted({entry["file"] for entry in commands})))
 EOF
-  xargs -P "$(nproc)" -n 4 -a build/tidy/sources \
+  xargs -r -P "$(nproc)" -n 4 -a build/tidy/sources \
     clang-tidy -p build/tidy --quiet --warnings-as-errors='*' 2> build/tidy/messages ||
     { grep -E "error:" build/tidy/messages || true; return 1; }
 }
 
 check_tidy() { tidy cuda Filters Plugin Representations; }
 check_tidy-tests() { tidy Testing; }
+
+# The sources that have changed since a commit, and one for each header that has.
+changed_sources()
+{
+  local file
+  while read -r file; do
+    if [[ "$file" == *.h && -f "${file%.h}.cxx" ]]; then
+      echo "${file%.h}.cxx"
+    elif [[ "$file" == *.h ]]; then
+      grep -rlE --include='*.cxx' "[\"/]$(basename "$file")\"" cuda Filters Plugin Representations Testing |
+        head -1 || true
+    else
+      echo "$file"
+    fi
+  done < <(git diff --name-only --diff-filter=d --merge-base "$1" -- '*.h' '*.cxx')
+}
+
+check_tidy-changed()
+{
+  local base="${LIMPID_BASE:-main}" sources
+  if ! git rev-parse --quiet --verify "$base^{commit}" > /dev/null; then
+    echo "There is no commit $base to compare with. Set LIMPID_BASE to one, and fetch it first." >&2
+    exit 1
+  fi
+  mapfile -t sources < <(changed_sources "$base" | sort -u)
+  echo "Sources that differ from $base: ${sources[*]:-none}"
+  if ((${#sources[@]} > 0)); then
+    tidy "${sources[@]}"
+  fi
+}
 
 check_clang()
 {
@@ -146,15 +189,33 @@ check_fuzz()
   done
 }
 
-bash Testing/install-packages.sh
-for check in "${@:-all}"; do
-  case "$check" in
-    all)
-      check_format; check_tidy; check_tidy-tests; check_clang; check_sanitize; check_threads; check_fuzz ;;
-    format | tidy | tidy-tests | clang | sanitize | sanitize-all | threads | threads-all | fuzz) "check_$check" ;;
-    *)
-      echo "Unknown check: $check. There are those that the first lines of this file name." >&2
-      exit 1
-      ;;
-  esac
+check_coverage()
+{
+  cmake --preset coverage
+  cmake --build --preset coverage
+  find build/coverage -name '*.gcda' -delete
+  ctest --preset coverage --label-regex '^quick$' --parallel "$(nproc)" --exclude-regex '^House'
+  mkdir -p build/coverage/report
+  # Threads count without locks, so a few counts are wrong. Only whether a line ran is used.
+  tool gcovr --root . --filter cuda/ --object-directory build/coverage build/coverage/cuda build/coverage/Testing \
+    --gcov-ignore-parse-errors=negative_hits.warn --merge-mode-functions=merge-use-line-0 \
+    --exclude-unreachable-branches --html-details build/coverage/report/index.html --print-summary \
+    --txt build/coverage/report/files.txt
+}
+
+quick=(format spelling licences hosting)
+usual=("${quick[@]}" tidy tidy-tests clang sanitize threads fuzz)
+others=(tidy-changed sanitize-all threads-all coverage)
+if (($# == 0)); then
+  set -- "${usual[@]}"
+fi
+for check; do
+  if [[ " ${usual[*]} ${others[*]} " != *" $check "* ]]; then
+    echo "Unknown check: $check. There are: ${usual[*]} ${others[*]}." >&2
+    exit 1
+  fi
+  if [[ " ${quick[*]} " != *" $check "* ]]; then
+    bash Testing/install-packages.sh
+  fi
+  "check_$check"
 done

@@ -14,7 +14,7 @@ packages=(
   # ParaView and what its CMake files look for
   paraview-dev python3-paraview python3-dev libopenmpi-dev
   # tests and benchmarks
-  libgtest-dev nlohmann-json3-dev libbenchmark-dev
+  libgtest-dev nlohmann-json3-dev libbenchmark-dev python3-yaml
   # checks of layout and of mistakes, and a second compiler
   clang clang-format clang-tidy glslang-tools
   # pictures without a screen

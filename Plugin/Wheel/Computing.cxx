@@ -14,21 +14,37 @@ namespace limpid::python
 {
 namespace
 {
-// Returns false once a signal handler has raised an exception. Python calls handlers only when
-// asked, and only in its main thread.
-bool GoOn()
+// Returns false once a signal handler or the listener has raised an exception. Python calls
+// handlers only when asked, and only in its main thread.
+bool GoOn(const Listener& listener, double share)
 {
   const nb::gil_scoped_acquire acquired;
-  return PyErr_CheckSignals() == 0;
+  if (PyErr_CheckSignals() != 0)
+  {
+    return false;
+  }
+  try
+  {
+    if (listener)
+    {
+      listener(share);
+    }
+    return true;
+  }
+  catch (nb::python_error& error)
+  {
+    error.restore();
+    return false;
+  }
 }
 
 // Returns false if interrupted.
-bool Compute(const std::function<void()>& compute)
+bool Compute(const std::function<void()>& compute, const Listener& listener)
 {
   const nb::gil_scoped_release released;
   try
   {
-    const Interruptible interruptible(GoOn);
+    const Interruptible interruptible([&](double share) { return GoOn(listener, share); });
     compute();
     return true;
   }
@@ -39,11 +55,11 @@ bool Compute(const std::function<void()>& compute)
 }
 }
 
-void ComputeBesidePython(const std::function<void()>& compute)
+void ComputeBesidePython(const std::function<void()>& compute, const Listener& listener)
 {
-  if (!Compute(compute))
+  if (!Compute(compute, listener))
   {
-    throw nb::python_error(); // the exception that the handler raised
+    throw nb::python_error(); // the exception that the handler or the listener raised
   }
 }
 

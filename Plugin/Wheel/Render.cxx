@@ -55,9 +55,14 @@ void MakeView(View* view, int width, int height, const std::array<double, 16>& c
 // `lightExtinction` as for Renderer::SetExtinction.
 nb::object Render(const Grid& grid, const Field& scalars, const TransferFunctions& functions,
   const OptionalField& base, const OptionalField& extinction, const OptionalField& lightExtinction,
-  const Lighting& lighting, const View& view)
+  const Lighting& lighting, const View& view, const nb::object& progress)
 {
   Picture picture;
+  Listener listener;
+  if (!progress.is_none())
+  {
+    listener = [&progress](double share) { progress(share, "Drawing"); };
+  }
   ComputeBesidePython(
     [&]
     {
@@ -67,7 +72,8 @@ nb::object Render(const Grid& grid, const Field& scalars, const TransferFunction
       renderer.SetExtinction(grid, DataOf(base), DataOf(extinction), 1, DataOf(lightExtinction));
       renderer.SetLighting(lighting);
       renderer.Render(view, picture);
-    });
+    },
+    listener);
   return ToNumpy(std::move(picture.rgba));
 }
 
@@ -96,6 +102,6 @@ void BindRender(nb::module_& module)
     .def("__init__", MakeView, "width"_a, "height"_a, "clip_to_world"_a, "sample_distance"_a);
   module.def("render", Render, "grid"_a, "scalars"_a.noconvert(), "functions"_a,
     "base"_a.noconvert().none(), "extinction"_a.noconvert().none(),
-    "light_extinction"_a.noconvert().none(), "lighting"_a, "view"_a);
+    "light_extinction"_a.noconvert().none(), "lighting"_a, "view"_a, "progress"_a.none());
 }
 }

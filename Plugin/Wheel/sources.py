@@ -17,8 +17,8 @@ REPOSITORY = UNPACKED if UNPACKED.is_dir() else HERE.parents[1]
 
 #: Of the repository.
 NEEDED = ("CMakeLists.txt", "LICENSE", "Plugin/Wheel", "Plugin/cmake", "cuda")
-#: Beside the folder `source`.
-METADATA = ("PKG-INFO", "README.md", "pyproject.toml", "sources.py")
+#: Beside the folder `source`, with the project file and what scikit-build-core makes of it, PKG-INFO.
+BESIDE = ("LICENSE", "README.md", "sources.py")
 
 
 def needed_files():
@@ -41,15 +41,17 @@ def build_sdist(sdist_directory, config_settings=None):
     path = pathlib.Path(sdist_directory, name)
     top = pathlib.PurePosixPath(name[:-len(".tar.gz")])
     with tarfile.open(path) as made:
-        files = {member.name: (member, made.extractfile(member).read())
-                 for member in made if member.isfile()}
-    with tarfile.open(path, "w:gz") as archive:
-        for file in METADATA:
-            member, data = files[str(top / file)]
-            if file == "pyproject.toml":
-                data = moved(data.decode()).encode()
-            member.size = len(data)
-            archive.addfile(member, io.BytesIO(data))
+        metadata = made.getmember(str(top / "PKG-INFO"))
+        text = made.extractfile(metadata).read()
+    # LICENSE is a link to that of the repository.
+    with tarfile.open(path, "w:gz", dereference=True) as archive:
+        archive.addfile(metadata, io.BytesIO(text))
+        project = archive.gettarinfo(HERE / "pyproject.toml", str(top / "pyproject.toml"))
+        text = moved((HERE / "pyproject.toml").read_text(encoding="utf-8")).encode()
+        project.size = len(text)
+        archive.addfile(project, io.BytesIO(text))
+        for file in BESIDE:
+            archive.add(HERE / file, str(top / file))
         for file in needed_files():
             archive.add(file, str(top / "source" / file.relative_to(REPOSITORY).as_posix()))
     return name

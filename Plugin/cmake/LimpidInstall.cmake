@@ -53,7 +53,7 @@ configure_package_config_file("${CMAKE_CURRENT_LIST_DIR}/LimpidConfig.cmake.in"
   INSTALL_DESTINATION "${LIMPID_CMAKE_DESTINATION}"
   NO_SET_AND_CHECK_MACRO)
 write_basic_package_version_file("${CMAKE_CURRENT_BINARY_DIR}/LimpidConfigVersion.cmake"
-  COMPATIBILITY SameMinorVersion)
+  COMPATIBILITY SameMajorVersion)
 install(
   FILES
     "${CMAKE_CURRENT_BINARY_DIR}/LimpidConfig.cmake"

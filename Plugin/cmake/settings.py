@@ -20,8 +20,9 @@ import xml.etree.ElementTree as ElementTree
 TABLE = pathlib.Path(__file__).resolve().parents[2] / "cuda/optimize/Settings.xml"
 
 #: Elements of an entry that the server manager does not know, and their attributes.
-OWN = {"Class": {"choices", "constants", "set"}, "Core": {"member", "valid", "name", "unit", "error"},
-       "In": None, "Panel": {"group", "shown_if"}, "Python": set()}
+OWN = {"Class": {"choices", "constants", "range", "set", "unit"},
+       "Core": {"member", "valid", "name", "unit", "error"},
+       "In": None, "Panel": {"group", "shown_if"}, "Python": {"unit"}}
 
 
 class Interval:
@@ -84,6 +85,11 @@ class Setting:
     def valid(self):
         valid = self.of("Core").get("valid")
         return Interval(valid) if valid else None
+
+    @property
+    def unit(self):
+        """The unit of a number, or nothing."""
+        return self.of("Python").get("unit") or self.of("Class").get("unit", "")
 
     @property
     def in_python(self):
@@ -289,22 +295,72 @@ def in_macro(lines):
     return "\n".join(f"{line:<99}\\" for line in lines)
 
 
-def python_field(setting):
-    """A field of the Python package's Settings."""
+def python_default(setting):
+    """The default of the Python package's Settings, as Python has it."""
     defaults = setting.in_proxy("ExtinctionOptimizer").get("default_values", "").split()
     values = defaults or setting.default
     if setting.constants:
-        texts = {entry.get("value"): entry.get("text") for entry in setting.entries()}
-        kind, value = "str", f'"{texts[values[0]].lower().replace(" ", "_")}"'
-    elif len(values) > 1:
-        kind, value = "tuple", f"({', '.join(values)})"
-    elif setting.type == "vtkTypeBool":
-        kind, value = "bool", str(values == ["1"])
-    elif setting.type == "int":
-        kind, value = "int", values[0]
-    else:
-        kind, value = "float", values[0] if re.search("[.e]", values[0]) else f"{values[0]}.0"
-    return f"    {setting.in_python}: {kind} = {value}  #: {setting.text('Python')}"
+        return f'"{python_choice(setting, values[0])}"'
+    if len(values) > 1:
+        return f"({', '.join(values)})"
+    if setting.type == "vtkTypeBool":
+        return str(values == ["1"])
+    return values[0] if setting.type == "int" or re.search("[.e]", values[0]) else f"{values[0]}.0"
+
+
+def python_choice(setting, value):
+    """What the Python package calls a value of a choice."""
+    texts = {entry.get("value"): entry.get("text") for entry in setting.entries()}
+    return texts[value].lower().replace(" ", "_")
+
+
+def python_choices_of(setting):
+    """The values of a choice in quotes, with commas between them."""
+    return ", ".join(f'"{python_choice(setting, value)}"' for value in setting.constants)
+
+
+def python_type(setting):
+    """The annotation of a field of the Python package's Settings."""
+    if setting.constants:
+        return f"Literal[{python_choices_of(setting)}]"
+    if len(setting.default) > 1:
+        return f"tuple[{', '.join([setting.type.replace('double', 'float')] * len(setting.default))}]"
+    return {"vtkTypeBool": "bool", "int": "int", "double": "float"}[setting.type]
+
+
+def python_field(setting):
+    """A field of the Python package's Settings."""
+    declared = f"    {setting.in_python}: {python_type(setting)}"
+    line = f"{declared} = {python_default(setting)}"
+    return line if len(line) <= 100 else broken(declared, f" = {python_default(setting)}")
+
+
+def broken(declared, rest=""):
+    """The declaration of a choice on several lines."""
+    head, _, choices = declared.partition("Literal[")
+    lines = textwrap.wrap(choices[:-1], 100 - 8, break_long_words=False)
+    return "\n".join([f"{head}Literal[", *[f"        {line}" for line in lines], f"    ]{rest}"])
+
+
+def python_item(setting):
+    """An item of the mapping of keyword arguments that are settings."""
+    line = f"    {setting.in_python}: {python_type(setting)}"
+    return line if len(line) <= 100 else broken(line)
+
+
+def python_parameter(setting):
+    """An entry of a numpy-style docstring: name, type and default, then sentences with valid values
+    and the unit."""
+    kind = f"{{{python_choices_of(setting)}}}" if setting.constants else python_type(setting)
+    unit = setting.of("Python").get("unit", "")
+    facts = [f"Range {setting.valid}"] if setting.valid else []
+    facts += [unit if unit == "dimensionless" else f"unit: {unit}"] if unit else []
+    text = setting.text("Python")
+    if facts:
+        text += f" {', '.join(facts)}."
+    prose = textwrap.wrap(text, 92, break_long_words=False, break_on_hyphens=False)
+    return "\n".join([f"    {setting.in_python} : {kind}, default {python_default(setting)}",
+                      *[f"        {line}" for line in prose]])
 
 
 def of_python(settings):
@@ -314,6 +370,16 @@ def of_python(settings):
 def python_fields(settings):
     """The fields of the Python package's Settings."""
     return "\n".join(map(python_field, of_python(settings)))
+
+
+def python_items(settings):
+    """The items of the mapping of keyword arguments that are settings."""
+    return "\n".join(map(python_item, of_python(settings)))
+
+
+def python_parameters(settings):
+    """The section Parameters of the docstring of the Python package's Settings."""
+    return "\n".join(map(python_parameter, of_python(settings)))
 
 
 def python_choices(settings):
@@ -328,33 +394,134 @@ def values_in_prose(setting):
         return ", ".join(entry.get("text") for entry in setting.entries())
     if setting.type == "vtkTypeBool":
         return "off, on"
-    valid = str(setting.valid or "")
-    return f"{len(setting.default)} of {valid}" if len(setting.default) > 1 and valid else valid
+    if not setting.valid:
+        return setting.of("Class").get("range", "")
+    return f"{len(setting.default)} of {setting.valid}" if len(setting.default) > 1 else \
+        str(setting.valid)
+
+
+def explained(text):
+    """The first sentence of a documentation; all of it if that is about one of several values."""
+    text = re.sub(r"\s+", " ", text).strip().replace("**", "*")
+    return text if text.startswith("*") else \
+        re.match(r"(.*?(?<!Eq)(?<!Eqs)\.)( |$)", text).group(1)
+
+
+def row(*cells):
+    """A row of a table."""
+    return f"| {' | '.join(cells)} |"
 
 
 def reference(settings):
     """A table of all settings, for a page."""
-    lines = ["| property | in Python | values | default | meaning |",
-             "| --- | --- | --- | --- | --- |"]
-    for setting in of_class(settings):
+    lines = [row("property", "in Python", "unit", "values", "default", "meaning"),
+             row(*["---"] * 6)]
+    for setting in settings:
+        in_python = f"`{setting.in_python}`" if setting.text("Python") else ""
+        if not setting.of_class():
+            lines.append(row(f"`{setting.name}`", in_python, unit_of(setting.element),
+                             values_of(setting.element), default_of(setting.element),
+                             explained(setting.text("Documentation"))))
+            continue
         shown = {entry.get("value"): entry.get("text") for entry in setting.entries()}
         own = [f", {element.get('proxy')} {element.get('default_values')}"
                for element in setting.element.findall("In") if element.get("default_values")]
-        default = " ".join(shown.get(value, value) for value in setting.default)
+        default = " ".join(shown.get(value, value) for value in setting.default) or "none"
         if setting.type == "vtkTypeBool":
             default, own = [re.sub("0$", "off", re.sub("1$", "on", text))
                             for text in (default, "".join(own))]
-        sentence = re.match(r"(.*?(?<!Eq)(?<!Eqs)\.)( |$)", setting.text("Class")).group(1)
-        in_python = f"`{setting.in_python}`" if setting.text("Python") else ""
-        lines.append(f"| `{setting.name}` | {in_python} | {values_in_prose(setting)} | "
-                     f"{default}{''.join(own)} | {sentence} |")
+        lines.append(row(f"`{setting.name}`", in_python, setting.unit, values_in_prose(setting),
+                         f"{default}{''.join(own)}", explained(setting.text("Class"))))
     return "\n".join(lines)
+
+
+#: Units of properties that are numbers, but not dimensionless.
+UNITS = {"AvoidanceAngle": "degrees", "CameraDistance": "radius of the volume",
+         "CameraFocalPoint": "length", "CameraParallelScale": "length", "CameraPosition": "length",
+         "CameraViewAngle": "degrees", "EaseTime": "s", "ElevationRange": "degrees",
+         "ExtinctionArray": "1/length", "InteractiveFrameTime": "s", "ReferenceArray": "1/length",
+         "SampleDistance": "smallest spacing", "ScalarOpacityUnitDistance": "length",
+         "SeparationAngle": "degrees", "SphereRadius": "radius of the volume"}
+
+#: What values the domains of the server manager allow.
+DOMAINS = {"BooleanDomain": "off, on", "ArrayListDomain": "an array", "FileListDomain": "a file",
+           "RangedTransferFunctionDomain": "a function"}
+
+
+def domain_of(element):
+    return next((domain for domain in element if domain.tag.endswith("Domain")), None)
+
+
+def unit_of(element):
+    """The unit of a property of the server manager."""
+    domain = domain_of(element)
+    is_number = domain is not None and domain.tag.endswith("RangeDomain")
+    return UNITS.get(element.get("name"), "dimensionless" if is_number else "")
+
+
+def values_of(element):
+    """The valid values of a property of the server manager, as a page says them."""
+    domain = domain_of(element)
+    if domain is None:
+        return "a button" if element.tag == "Property" else "a list"
+    if domain.tag in DOMAINS:
+        return DOMAINS[domain.tag]
+    if domain.tag == "EnumerationDomain":  # the first text of each value
+        texts = {entry.get("value"): entry.get("text") for entry in reversed(domain)}
+        return ", ".join(texts[value] for value in sorted(texts, key=int) if texts[value])
+    least, most = (domain.get(end, "").split(" ")[0] for end in ("min", "max"))
+    return f"[{least}, {f'{most}]' if most else 'inf)'}" if least else "any"
+
+
+def default_of(element):
+    """The default of a property of the server manager, as a page says it."""
+    default = element.get("default_values", "")
+    domain = domain_of(element)
+    kind = "" if domain is None else domain.tag
+    if kind == "ArrayListDomain":
+        default = default.split(";")[-1].strip("()").replace("None", "")
+    if kind == "BooleanDomain":
+        default = {"0": "off", "1": "on"}[default]
+    for entry in element.findall("EnumerationDomain/Entry"):
+        if entry.get("value") == default:
+            default = entry.get("text")
+            break
+    return default.replace(";", ", ") or "none"
+
+
+def properties(path, names):
+    """Tables of the properties that filters or displays have of their own, from an XML template."""
+    lines = []
+    for proxy in ElementTree.parse(TABLE.parents[2] / path).getroot().iter():
+        own = [element for element in proxy if element.tag.endswith("Property")
+               and element.findtext("Documentation") and element.tag != "InputProperty"
+               and not element.get("information_only")]
+        if own and proxy.tag.endswith("Proxy"):
+            name = names.get(proxy.get("name"), proxy.get("label"))
+            lines += ["", f"### {name}", "", row("property", "unit", "values", "default", "meaning"),
+                      row(*["---"] * 5)]
+            lines += [row(f"`{element.get('name')}`", unit_of(element), values_of(element),
+                          default_of(element), explained(element.findtext("Documentation")))
+                      for element in own]
+    return "\n".join(lines[1:])
+
+
+def properties_of_filters(_):
+    return properties("Filters/LimpidFilters.xml.in",
+                      {"Scene": "Extinction Optimizer and Viewpoint Search"})
+
+
+def properties_of_display(_):
+    return properties("Representations/LimpidRepresentations.xml.in",
+                      {"OptimizedVolumeRepresentation": "Optimized Volume"})
 
 
 #: What replaces a mark, of all settings.
 MARKS = {"choices": choices, "core_entries": core_entries, "every": every,
          "every_of_core": every_of_core, "forwarding": forwarding, "members": members,
          "methods": methods, "python_choices": python_choices, "python_fields": python_fields,
+         "properties_of_display": properties_of_display, "properties_of_filters": properties_of_filters,
+         "python_items": python_items, "python_parameters": python_parameters,
          "reference": reference}
 
 

@@ -166,7 +166,7 @@ class Results(unittest.TestCase):
         frames = [1e3 * scene["frame"]["seconds"] for scene in measured("Gpu")["scenes"]
                   if scene["nodes"] == 256]
         said = figures(r"a frame of 256³ after the camera has moved takes (\d+) to (\d+) ms",
-                       " ".join(house.text("README.md").split()))
+                       " ".join(house.text("Documentation/Limits.md").split()))
 
         self.assertEqual(said, [round(min(frames)), round(max(frames))])
 

@@ -10,7 +10,7 @@ import unittest
 import house
 
 SOURCES = (".h", ".cxx", ".py", ".sh", ".cmake", ".xml")
-MADE = ("build/", "demo-output/")
+MADE = ("build/", "demo-output/", "program/")
 
 
 def documents():
@@ -18,14 +18,20 @@ def documents():
     written = house.files("*.md")
     by_hand = [path for path in written
                if path.parent.name != "Benchmarks" or path.name == "README.md"]
-    return [pathlib.Path(path.name) for path in house.ROOT.glob("*.md")] + by_hand
+    return [path for path in house.top_files() if path.suffix == ".md"] + by_hand
+
+
+def anchors(page):
+    """The anchors of a page's headings, as GitHub and the documentation site make them."""
+    without_code = re.sub(r"^```.*?^```$", "", house.text(page), flags=re.MULTILINE | re.DOTALL)
+    headings = re.findall(r"^#+ (.+)$", without_code, re.MULTILINE)
+    return {re.sub(r"[^\w\- ]", "", heading.strip().lower()).replace(" ", "-") for heading in headings}
 
 
 class TestNamedFiles(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        cls.files = house.files("*") + [
-            path.relative_to(house.ROOT) for path in house.ROOT.glob("*") if path.is_file()]
+        cls.files = house.files("*") + house.top_files()
         cls.names = {path.name for path in cls.files}
         cls.folders = {folder for path in cls.files for folder in path.parents}
         sources = house.files("*.h", "*.cxx", "*.module", under=[
@@ -66,6 +72,14 @@ class TestNamedFiles(unittest.TestCase):
     def test_links_lead_to_files(self):
         self.expect_all(self.mentions(r"\]\(([^)#]+)[^)]*\)"),
                         lambda document, name: (house.ROOT / document.parent / name).exists())
+
+    def test_links_lead_to_headings(self):
+        def exists(document, link):
+            name, heading = link.split("#")
+            page = house.ROOT / document.parent / name if name else house.ROOT / document
+            return page.suffix != ".md" or heading in anchors(page)
+
+        self.expect_all(self.mentions(r"\]\(([^)#:]*#[^)]+)\)"), exists)
 
     def test_pictures_are_on_pages_that_say_how_to_make_them(self):
         pages = documents()

@@ -65,6 +65,12 @@ class TestSettings(unittest.TestCase):
         with self.assertRaisesRegex(ValueError, "Speed has 2 constants for 1 entries"):
             self.assertTrue(settings.read_table(entry)[0].constants)
 
+    def test_numbers_of_the_python_package_have_a_unit(self):
+        for entry in settings.of_python(self.table):
+            is_number = not entry.constants and entry.type != "vtkTypeBool"
+            self.assertEqual(bool(entry.of("Python").get("unit")), is_number, entry.name)
+            self.assertTrue(entry.text("Python").endswith("."), entry.name)
+
     def test_the_server_manager_gets_what_it_knows_alone(self):
         for entry in self.table:
             for own in settings.OWN:
@@ -82,6 +88,22 @@ class TestSettings(unittest.TestCase):
         self.assertIn("| `ViewWeight` |", page)
         self.assertEqual(page, settings.filled(page, self.table), "Run: python3 "
                          "Plugin/cmake/settings.py " + 2 * "Documentation/Parameters.md ")
+
+    def test_every_property_has_values_default_and_meaning_and_every_number_a_unit(self):
+        page = house.text("Documentation/Parameters.md").split("## All settings")[1]
+        tables = [table.splitlines() for table in re.findall(r"(?:^\|.*\n)+", page, re.M)]
+        rows = [dict(zip(self.cells(table[0]), self.cells(row)))
+                for table in tables for row in table[2:]]
+        self.assertGreater(len(rows), len(self.table))
+        for row in rows:
+            for column in ("values", "default", "meaning"):
+                self.assertTrue(row[column], f"{row['property']} has no {column}")
+            if re.search(r"\[|\(.*inf|number|any", row["values"]):
+                self.assertTrue(row["unit"], f"{row['property']} has no unit")
+
+    @staticmethod
+    def cells(row):
+        return [cell.strip() for cell in row.strip("|").split("|")]
 
 
 if __name__ == "__main__":

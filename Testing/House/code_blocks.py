@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: Copyright (c) Limpid developers
 # SPDX-License-Identifier: BSD-3-Clause
 
-"""The code blocks of the two READMEs that people follow. TestCodeBlocks.py has which test runs which."""
+"""The code blocks of the pages. TestCodeBlocks.py has which test runs which."""
 
 import re
 from typing import NamedTuple
@@ -10,6 +10,11 @@ import house
 
 README = "README.md"
 WHEEL_README = "Plugin/Wheel/README.md"
+INSTALL = "Documentation/Install.md"
+VTK = "Documentation/Vtk.md"
+
+#: Languages of code; other fences hold drawings, or directives of Sphinx such as {glossary}.
+LANGUAGES = ("cmake", "cpp", "python", "sh")
 
 
 class Block(NamedTuple):
@@ -17,10 +22,16 @@ class Block(NamedTuple):
     text: str
 
 
+def pages():
+    """All Markdown files."""
+    top = [path for path in house.top_files() if path.suffix == ".md"]
+    return sorted(map(str, top + house.files("*.md")))
+
+
 def blocks(path):
     """All code blocks of a Markdown file."""
-    return [Block(*found) for found in
-            re.findall(r"^```(\w*)\n(.*?)^```$", house.text(path), re.MULTILINE | re.DOTALL)]
+    fences = re.findall(r"^```([^\n]*)\n(.*?)^```$", house.text(path), re.MULTILINE | re.DOTALL)
+    return [Block(*fence) for fence in fences if fence[0] in LANGUAGES]
 
 
 def block(path, start):

@@ -8,7 +8,7 @@ import pathlib
 import re
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-FOLDERS = (".ci", "Documentation", "Filters", "Plugin", "Representations", "Testing", "cuda")
+FOLDERS = (".ci", ".github", "Documentation", "Filters", "Plugin", "Representations", "Testing", "cuda")
 
 
 def files(*patterns, under=FOLDERS):
@@ -20,6 +20,12 @@ def files(*patterns, under=FOLDERS):
             found += [pathlib.Path(path, name).relative_to(ROOT) for name in names]
     matching = [path for path in found if any(path.match(pattern) for pattern in patterns)]
     return sorted(set(matching))
+
+
+def top_files():
+    """Paths, relative to ROOT, of the files at the top, those of tools and hosts among them."""
+    return sorted(path.relative_to(ROOT) for path in ROOT.glob("*")
+                  if path.is_file() and path.name != ".git")
 
 
 def text(path):

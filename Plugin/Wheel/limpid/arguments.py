@@ -3,14 +3,17 @@
 
 """Checks of arguments. A message says what is wrong (why it matters) and what to do."""
 
+from __future__ import annotations
+
 import math
 import operator
 import reprlib
 import sys
 import warnings
+from typing import Any, Iterable
 
 
-def warn(text):
+def warn(text: str) -> None:
     """A UserWarning about the line from which the package was called."""
     level = 1
     while sys._getframe(level).f_globals.get("__name__", "").partition(".")[0] in (
@@ -19,7 +22,7 @@ def warn(text):
     warnings.warn(text, stacklevel=level + 1)
 
 
-def number(name, value, why, advice):
+def number(name: str, value: Any, why: str, advice: str) -> float:
     """`value` as a finite float. `why` and `advice` complete the message of the ValueError."""
     try:
         result = float(value)
@@ -30,7 +33,8 @@ def number(name, value, why, advice):
     return result
 
 
-def number_between(name, value, least, most, why, advice):
+def number_between(name: str, value: Any, least: float, most: float, why: str,
+                   advice: str) -> float:
     """`value` as a float in [least, most]."""
     result = number(name, value, why, advice)
     if not least <= result <= most:
@@ -38,7 +42,7 @@ def number_between(name, value, least, most, why, advice):
     return result
 
 
-def whole_number(name, value, least, most, why, advice):
+def whole_number(name: str, value: Any, least: int, most: int, why: str, advice: str) -> int:
     """`value` as an int in [least, most]."""
     try:
         result = operator.index(value)
@@ -49,7 +53,7 @@ def whole_number(name, value, least, most, why, advice):
     return result
 
 
-def vector(name, value, why):
+def vector(name: str, value: Any, why: str) -> tuple[float, float, float]:
     """`value` as a tuple of three finite floats."""
     try:
         result = tuple(map(float, value))
@@ -61,14 +65,14 @@ def vector(name, value, why):
     return result
 
 
-def require_choice(name, value, choices):
+def require_choice(name: str, value: Any, choices: Iterable[str]) -> None:
     """Raises ValueError unless `value` is one of the choices."""
     if value not in choices:
         raise ValueError(f"{name} is {value!r} (this is not a valid choice). Choose one of "
                          f"{', '.join(map(repr, choices))}.")
 
 
-def choice(name, value, enumeration):
+def choice(name: str, value: Any, enumeration: Any) -> Any:
     """The member of an enumeration of the core that has this name."""
     require_choice(name, value, enumeration.__members__)
     return enumeration.__members__[value]

@@ -3,9 +3,14 @@
 
 """Fields as the core reads them: float32, dense, one order of axes for all fields of a scene."""
 
+from __future__ import annotations
+
+from typing import Any, Callable, Iterator, Mapping, Sequence
+
 import numpy as np
 
 from .arguments import warn
+from .given import Array, Mask, Singles
 
 SLAB = 1 << 20  # points that are converted at a time: what is needed meanwhile stays small
 
@@ -19,40 +24,40 @@ class Layout:
     order: the axes, fastest in memory first: (0, 1, 2) is Fortran's order and VTK's, (2, 1, 0) C's.
     """
 
-    def __init__(self, order=(0, 1, 2)):
+    def __init__(self, order: Sequence[int] = (0, 1, 2)) -> None:
         self.order = tuple(order)
 
     @classmethod
-    def of(cls, array):
+    def of(cls, array: Array) -> Layout | None:
         """That of an array with three axes; None if there are gaps between its values."""
         layout = cls(sorted(range(3), key=lambda axis: array.strides[axis]))
         return layout if layout.fits(array) else None
 
     @classmethod
-    def for_all(cls, arrays):
+    def for_all(cls, arrays: Sequence[Array]) -> Layout:
         """That of the first array which can be used as it is, else of the first dense one."""
         layouts = [(array.dtype != np.float32, cls.of(array)) for array in arrays]
         dense = [(copied, layout) for copied, layout in layouts if layout]
         return min(dense, key=lambda pair: pair[0])[1] if dense else cls()
 
-    def fits(self, array):
+    def fits(self, array: Array) -> bool:
         """Whether an array has this order, without gaps."""
-        return array.transpose(self.order).flags.f_contiguous
+        return bool(array.transpose(self.order).flags.f_contiguous)
 
-    def empty(self, shape, dtype=np.float32):
+    def empty(self, shape: tuple[int, ...], dtype: Any = np.float32) -> Array:
         """An array of this order, its values not set."""
         return self.shaped(np.empty(int(np.prod(shape)), dtype=dtype), shape)
 
-    def flat(self, array):
+    def flat(self, array: Array) -> Array:
         """The values of an array of this order as they lie in memory, not copied."""
         return array.transpose(self.order).reshape(-1, order="F")
 
-    def shaped(self, values, shape):
+    def shaped(self, values: Array, shape: tuple[int, ...]) -> Array:
         """Values as they lie in memory as an array of that shape, not copied."""
         permuted = values.reshape([shape[axis] for axis in self.order], order="F")
         return permuted.transpose(np.argsort(self.order))
 
-    def slabs(self, *arrays):
+    def slabs(self, *arrays: Array) -> Iterator[tuple[Array, ...]]:
         """Parts of arrays of one shape, the same part of each, that lie together in memory."""
         permuted = [array.transpose(self.order) for array in arrays]
         columns, rows, slices = permuted[0].shape
@@ -61,7 +66,7 @@ class Layout:
             yield tuple(array[..., first:first + step] for array in permuted)
 
 
-def converted(array, layout):
+def converted(array: Array, layout: Layout) -> Singles:
     """The array itself if it is float32 of that layout, else a copy that is."""
     if array.dtype == np.float32 and layout.fits(array):
         return array
@@ -71,7 +76,7 @@ def converted(array, layout):
     return copy
 
 
-def mapped(array, function, layout):
+def mapped(array: Array, function: Callable[[Array], Array], layout: Layout) -> Singles:
     """A new field: function(value) of each value, NaN where a value is not finite.
 
     function: takes and returns arrays of float64.
@@ -88,7 +93,7 @@ def mapped(array, function, layout):
     return result
 
 
-def table_of_values(dtype, function):
+def table_of_values(dtype: np.dtype[Any], function: Callable[[Array], Array]) -> Array | None:
     """function(value) of each value that 8 or 16 bits can have, in the order of these bits read as
     an unsigned number; None for other types."""
     if dtype.kind not in "iu" or dtype.itemsize > 2 or not dtype.isnative:
@@ -97,31 +102,31 @@ def table_of_values(dtype, function):
     return function(bits.view(dtype)).astype(np.float32)
 
 
-def are_within(array, most):
+def are_within(array: Array, most: float) -> bool:
     """Whether no value is negative, above `most`, or NaN."""
     with np.errstate(invalid="ignore"):
         return bool(array.min() >= 0 and array.max() <= most)
 
 
-def emptied(fields, mask):
-    """Fields that are 0 where a mask says that there is no value; None: there is one everywhere.
-    The arrays that are given are not changed."""
+def emptied(field: Singles, mask: Mask | None) -> Singles:
+    """A field that is 0 where a mask says that there is no value; None: there is one everywhere.
+    The array that is given is not changed."""
     if mask is None:
-        return fields
-    copies = tuple(field.copy(order="K") for field in fields)
-    for copy in copies:
-        copy[mask] = 0
-    return copies
+        return field
+    copy = field.copy(order="K")
+    copy[mask] = 0
+    return copy
 
 
-def corrected(extinction, importance, layout):
+def corrected(extinction: Singles, importance: Singles,
+              layout: Layout) -> tuple[Singles, Singles]:
     """Both fields of a scene with values that can be used, as the filters have them: a point with
     NaN, infinity or a negative extinction is empty, importance is moved into [0, 1], and there is
     a warning. Arrays in which all is well are returned themselves; others are not changed.
 
     extinction, importance: of that layout.
     """
-    if are_within(extinction, np.finfo(np.float32).max) and are_within(importance, 1):
+    if are_within(extinction, float(np.finfo(np.float32).max)) and are_within(importance, 1):
         return extinction, importance
     extinction, importance = extinction.copy(order="K"), importance.copy(order="K")
     invalid = negative = clamped = 0
@@ -131,9 +136,9 @@ def corrected(extinction, importance, layout):
         is_empty = is_invalid | is_negative
         mu[is_empty] = 0
         g[is_empty] = 0
-        invalid += np.count_nonzero(is_invalid)
-        negative += np.count_nonzero(is_negative)
-        clamped += np.count_nonzero((g < 0) | (g > 1))
+        invalid += int(np.count_nonzero(is_invalid))
+        negative += int(np.count_nonzero(is_negative))
+        clamped += int(np.count_nonzero((g < 0) | (g > 1)))
         np.clip(g, 0, 1, out=g)
     warn_of_points({
         "a NaN or an infinite value (the scene is undefined there) and are treated as empty. "
@@ -145,7 +150,7 @@ def corrected(extinction, importance, layout):
     return extinction, importance
 
 
-def warn_of_points(counts, total):
+def warn_of_points(counts: Mapping[str, int], total: int) -> None:
     """One warning for all that is wrong with some points: texts and how many points each is of."""
     texts = [f"{count} of {total} points have {what}" for what, count in counts.items() if count]
     warn(" ".join(texts))

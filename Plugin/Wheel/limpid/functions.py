@@ -3,10 +3,29 @@
 
 """Transfer functions: of scalars, straight lines between nodes and constant outside."""
 
+from __future__ import annotations
+
+from typing import Any, Protocol
+
 import numpy as np
+
+from .given import Array, Floats, Rows
 
 #: Largest opacity that has an extinction, as in the filters: -ln(1 - opacity) is infinite at 1.
 LARGEST_OPACITY = 1 - 1e-6
+
+
+class ExtinctionFunction(Protocol):
+    """A function of the scalar [1/length]."""
+
+    def __call__(self, values: Array) -> Array:
+        """The extinction of scalars."""
+
+    def range(self) -> tuple[float, float]:
+        """Outside of it, the function is constant."""
+
+    def largest(self) -> float:
+        """Its largest extinction."""
 
 
 class PiecewiseLinear:
@@ -17,7 +36,8 @@ class PiecewiseLinear:
     least, most: of the results.
     """
 
-    def __init__(self, name, nodes, least=0.0, most=np.finfo(np.float32).max):
+    def __init__(self, name: str, nodes: Rows, least: float = 0.0,
+                 most: float = float(np.finfo(np.float32).max)) -> None:
         table = table_of(name, nodes, 2)
         if not np.all((table[:, 1] >= least) & (table[:, 1] <= most)):
             wrong = table[~((table[:, 1] >= least) & (table[:, 1] <= most))][0]
@@ -25,19 +45,19 @@ class PiecewiseLinear:
                              f"{least:g} and {most:g}). Give results in that range.")
         self.positions, self.results = np.ascontiguousarray(table.T)
 
-    def __call__(self, values):
-        return np.interp(values, self.positions, self.results)
+    def __call__(self, values: Array) -> Array:
+        return np.asarray(np.interp(values, self.positions, self.results))
 
-    def range(self):
+    def range(self) -> tuple[float, float]:
         """Outside of it, the function is constant."""
-        return self.positions[0], self.positions[-1]
+        return float(self.positions[0]), float(self.positions[-1])
 
-    def largest(self):
+    def largest(self) -> float:
         """Its largest result, wherever it has it."""
-        return self.results.max()
+        return float(self.results.max())
 
 
-def table_of(name, nodes, columns):
+def table_of(name: str, nodes: Rows, columns: int) -> Floats:
     """Nodes as an array of shape (n, columns), checked: finite, first column ascending."""
     try:
         table = np.asarray(nodes, dtype=float)
@@ -66,20 +86,20 @@ class ExtinctionOfOpacity:
     unit_distance: [length].
     """
 
-    def __init__(self, opacity, unit_distance):
+    def __init__(self, opacity: PiecewiseLinear, unit_distance: float) -> None:
         self.opacity = opacity
         self.unit_distance = unit_distance
 
-    def __call__(self, values):
-        return self._extinction(self.opacity(values))
+    def __call__(self, values: Array) -> Array:
+        return np.asarray(self._extinction(self.opacity(values)))
 
-    def range(self):
+    def range(self) -> tuple[float, float]:
         """Outside of it, the function is constant."""
         return self.opacity.range()
 
-    def largest(self):
+    def largest(self) -> float:
         """Its largest extinction, wherever it has it [1/length]."""
         return float(self._extinction(self.opacity.largest()))
 
-    def _extinction(self, opacity):
+    def _extinction(self, opacity: Any) -> Any:
         return -np.log1p(-np.clip(opacity, 0.0, LARGEST_OPACITY)) / self.unit_distance

@@ -3,17 +3,20 @@
 
 """Where the points of a volume are."""
 
+from __future__ import annotations
+
 import dataclasses
 import math
-import typing
+from typing import Any, Sequence
 
 import numpy as np
 
 from . import _core
 from .arguments import vector
+from .given import Floats
 
 
-def matrix_of(direction):
+def matrix_of(direction: Any) -> Floats:
     """A direction matrix as an array of shape (3, 3). Takes arrays and VTK's matrices."""
     if hasattr(direction, "GetElement"):
         direction = [[direction.GetElement(row, column) for column in range(3)]
@@ -29,12 +32,12 @@ def matrix_of(direction):
 class Grid:
     """The points of a volume: index (i, j, k) is at origin + direction @ (spacing * index)."""
 
-    shape: tuple  #: points along each axis
-    spacing: tuple = (1.0, 1.0, 1.0)  #: from point to point, not zero; negative: backwards [length]
-    origin: tuple = (0.0, 0.0, 0.0)  #: position of the first point [length]
-    direction: typing.Any = None  #: (3, 3), columns: directions of the axes; None: x, y, z
+    shape: tuple[int, int, int]  #: points along each axis
+    spacing: Any = (1.0, 1.0, 1.0)  #: from point to point, not zero; negative: backwards [length]
+    origin: Any = (0.0, 0.0, 0.0)  #: position of the first point [length]
+    direction: Any = None  #: (3, 3), columns: directions of the axes; None: x, y, z
 
-    def __post_init__(self):
+    def __post_init__(self) -> None:
         direction = np.eye(3) if self.direction is None else matrix_of(self.direction)
         object.__setattr__(self, "direction", direction)
         object.__setattr__(self, "spacing",
@@ -43,7 +46,7 @@ class Grid:
                            vector("origin", self.origin, "it is the position of the volume"))
 
     @classmethod
-    def of_image(cls, image):
+    def of_image(cls, image: Any) -> Grid:
         """The points of an image of PyVista's or VTK's."""
         spacing = np.array(image.spacing, dtype=float)
         direction = matrix_of(image.direction_matrix)
@@ -51,30 +54,30 @@ class Grid:
         return cls(tuple(image.dimensions), spacing,
                    np.array(image.origin) + direction @ (spacing * first), direction)
 
-    def has_volume(self):
+    def has_volume(self) -> bool:
         """Whether there are at least two points along each axis."""
         return min(self.shape) > 1
 
-    def diagonal(self):
+    def diagonal(self) -> float:
         """Of the box of the points [length]."""
         return math.hypot(*((count - 1) * step for count, step in zip(self.shape, self.spacing)))
 
-    def radius(self):
+    def radius(self) -> float:
         """Of the sphere round the box of the points [length]."""
         return 0.5 * self.diagonal()
 
-    def centre(self):
+    def centre(self) -> Floats:
         """Of the box of the points, (3,) [length]."""
         half = [0.5 * (count - 1) * step for count, step in zip(self.shape, self.spacing)]
-        return np.array(self.origin) + self.direction @ half
+        return np.asarray(np.array(self.origin) + self.direction @ half)
 
-    def cell_length(self):
+    def cell_length(self) -> float:
         """Diagonal over the cube root of the number of cells, as ParaView's default for the unit
         distance of opacities [length]."""
         cells = math.prod(max(count - 1, 1) for count in self.shape)
-        return self.diagonal() / cells ** (1 / 3)
+        return float(self.diagonal() / cells ** (1 / 3))
 
-    def in_core(self, order):
+    def in_core(self, order: Sequence[int]) -> _core.Grid:
         """The grid as the core has it, its axes in this order: (2, 1, 0) is z, y, x."""
         return _core.Grid([self.shape[axis] for axis in order], self.origin,
                           [self.spacing[axis] for axis in order],

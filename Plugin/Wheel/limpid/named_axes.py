@@ -4,30 +4,35 @@
 """Arrays that say which of their axes is x: those of xarray, and images of SimpleITK. The package
 knows neither library."""
 
+from __future__ import annotations
+
 import sys
+from typing import Any, Sequence
 
 import numpy as np
+
+from .given import Array
 
 XYZ = ("x", "y", "z")
 
 
-def has_named_axes(array):
+def has_named_axes(array: Any) -> bool:
     """Whether it is a DataArray of xarray."""
     return all(hasattr(array, name) for name in ("dims", "coords", "shape"))
 
 
-def is_simple_itk(image):
+def is_simple_itk(image: Any) -> bool:
     """Whether it is an image of SimpleITK."""
     return all(hasattr(image, name) for name in (
         "GetSize", "GetSpacing", "GetOrigin", "GetDirection", "GetNumberOfComponentsPerPixel"))
 
 
-def has_shape(given):
+def has_shape(given: Any) -> bool:
     """Whether it is an array of any kind that tells where the points of a volume are."""
     return hasattr(given, "shape") or is_simple_itk(given)
 
 
-def axes_of(array):
+def axes_of(array: Any) -> tuple[int, ...] | None:
     """The axes of an array that are x, y and z, and the others behind them; None: it does not say.
     Raises ValueError where names of axes do not tell."""
     if is_simple_itk(array):
@@ -46,15 +51,15 @@ def axes_of(array):
             *(axis for axis, name in enumerate(names) if name not in XYZ))
 
 
-def values_of(array):
+def values_of(array: Any) -> Array:
     """An array as numpy has it, in the order of its own axes."""
     if is_simple_itk(array):
         library = sys.modules[type(array).__module__.partition(".")[0]]
-        return library.GetArrayViewFromImage(array)
+        return np.asarray(library.GetArrayViewFromImage(array))
     return np.asarray(array)
 
 
-def placement_of(array):
+def placement_of(array: Any) -> dict[str, Any]:
     """What an array says of spacing, origin and direction, see Grid; what it does not say is
     missing. Raises ValueError where its points are not evenly spaced."""
     if is_simple_itk(array):
@@ -62,14 +67,14 @@ def placement_of(array):
                 "direction": np.reshape(array.GetDirection(), (3, 3))}
     if not has_named_axes(array):
         return {}
-    names = [array.dims[axis] for axis in axes_of(array)[:3]]
+    names = [array.dims[axis] for axis in (axes_of(array) or ())[:3]]
     if not any(name in array.coords for name in names):
         return {}
     first, step = zip(*(first_and_step(name, array) for name in names))
     return {"spacing": step, "origin": first}
 
 
-def first_and_step(name, array):
+def first_and_step(name: Any, array: Any) -> tuple[float, float]:
     """Where the points along an axis begin, and their distance; without coordinates 0 and 1."""
     if name not in array.coords:
         return 0.0, 1.0
@@ -87,7 +92,7 @@ def first_and_step(name, array):
     return float(positions[0]), float(mean)
 
 
-def odd_one(values):
+def odd_one(values: Any) -> int | None:
     """Which of three numbers differs from the other two, which are alike; None: there is none."""
     values = np.asarray(values, dtype=float)
     for axis in range(3):
@@ -98,7 +103,7 @@ def odd_one(values):
     return None
 
 
-def doubt_about_axes(shape, spacing):
+def doubt_about_axes(shape: Sequence[int], spacing: Sequence[float]) -> str | None:
     """What to say where a spacing seems to be that of the axes in another order; None: nothing.
 
     Scanners make slices of as many columns as rows, which are as far apart, and another number of

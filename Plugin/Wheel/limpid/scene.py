@@ -3,15 +3,19 @@
 
 """What is to be optimised or searched: a base extinction and an importance over a grid."""
 
+from __future__ import annotations
+
 import dataclasses
 import math
+from typing import Any
 
 import numpy as np
 
 from . import _core
 from .arguments import warn, whole_number
 from .fields import Layout, converted, corrected, emptied, mapped
-from .functions import ExtinctionOfOpacity, PiecewiseLinear
+from .functions import ExtinctionFunction, ExtinctionOfOpacity, PiecewiseLinear
+from .given import Array, Floats, Mask, Rows, Singles
 from .grid import Grid
 from .structures import Segmentation
 from .volume import Volume
@@ -24,35 +28,35 @@ class Scene:
     source: Volume
     grid: Grid
     layout: Layout
-    base_extinction: np.ndarray  #: >= 0 [1/length]
-    importance: np.ndarray  #: [0, 1]
+    base_extinction: Singles  #: >= 0 [1/length]
+    importance: Singles  #: [0, 1]
     majorant: float  #: upper bound of Eq. (25), of the function; 0: that of the data [1/length]
     unit_distance: float  #: of opacities [length]
-    data: tuple  #: arrays that extinction and importance were made from
-    segmentation: Segmentation = None  #: None: importance is given otherwise
+    data: tuple[Array, ...]  #: arrays that extinction and importance were made from
+    segmentation: Segmentation | None = None  #: None: importance is given otherwise
 
-    def in_core(self):
+    def in_core(self) -> tuple[_core.Grid, Singles, Singles]:
         """Grid, base extinction and importance as the core takes them; the arrays are views."""
         return (self.grid.in_core(self.layout.order), self.layout.flat(self.base_extinction),
                 self.layout.flat(self.importance))
 
-    def flat(self, role, given):
+    def flat(self, role: str, given: Any) -> Singles | None:
         """A further field, an array or a name, as the core takes it; None: there is none."""
         if given is None:
             return None
         return self.layout.flat(converted(self.source.field(role, given), self.layout))
 
-    def structures_in_core(self):
+    def structures_in_core(self) -> tuple[list[Any] | None, Array | None]:
         """Structures and the row of each point as the core takes them; None: there are none."""
         if self.segmentation is None:
             return None, None
         return self.segmentation.table, self.layout.flat(self.segmentation.rows)
 
-    def as_given(self, values):
+    def as_given(self, values: Singles) -> Singles:
         """A field as the core has it as the volume itself is, see Volume.as_given; not copied."""
         return self.source.as_given(self.layout.shaped(values, self.grid.shape))
 
-    def warn_of_nothing_to_see(self, consequence):
+    def warn_of_nothing_to_see(self, consequence: str) -> None:
         """A warning if no extinction could show anything; `consequence`: what comes of it."""
         largest = self.largest_extinction()
         if largest > 0 and self.importance.max() > 0:
@@ -62,13 +66,13 @@ class Scene:
         warn(f"The largest extinction is {largest:g}, and {what} ({consequence}). Check the "
              "importance and the extinction.")
 
-    def largest_extinction(self):
+    def largest_extinction(self) -> float:
         """The majorant of Eq. (25) [1/length]; 0 where nothing absorbs."""
         largest = float(self.base_extinction.max())
         return max(largest, self.majorant) if largest > 0 else 0.0
 
 
-def unit_distance_of(given, grid):
+def unit_distance_of(given: Any, grid: Grid) -> float:
     """The distance on which opacities hold [length]."""
     if given is None:
         return grid.cell_length()
@@ -78,7 +82,8 @@ def unit_distance_of(given, grid):
     return float(given)
 
 
-def extinction_function_of(extinction_function, opacity_function, unit_distance):
+def extinction_function_of(extinction_function: Rows | None, opacity_function: Rows | None,
+                           unit_distance: float) -> ExtinctionFunction | None:
     """The extinction of a scalar [1/length]; None: neither function is given."""
     if extinction_function is not None and opacity_function is not None:
         raise ValueError("extinction_function and opacity_function are given (each defines the "
@@ -91,7 +96,7 @@ def extinction_function_of(extinction_function, opacity_function, unit_distance)
     return None
 
 
-def ramp_of(scalars, mask, unit_distance):
+def ramp_of(scalars: Array, mask: Mask | None, unit_distance: float) -> ExtinctionFunction:
     """The filters' default: opacities on a straight line from 0 to 1 over the finite scalars.
 
     mask: where there is no scalar; None: nowhere.
@@ -103,7 +108,7 @@ def ramp_of(scalars, mask, unit_distance):
     return ExtinctionOfOpacity(PiecewiseLinear("opacity_function", nodes), unit_distance)
 
 
-def eighth_largest_neighbours(scalars, mask, places):
+def eighth_largest_neighbours(scalars: Array, mask: Mask | None, places: Array) -> Floats:
     """Of each place (i, j, k), the eighth largest scalar of its 26 neighbours; on the border, its
     nodes stand for those beyond. mask: where there is no scalar; None: nowhere."""
     neighbours = np.empty((27, len(places)))
@@ -116,7 +121,7 @@ def eighth_largest_neighbours(scalars, mask, places):
     return np.ascontiguousarray(np.partition(neighbours, 27 - 8, axis=0)[27 - 8])
 
 
-def assumed_importance(scalars, mask):
+def assumed_importance(scalars: Array, mask: Mask | None) -> list[list[float]]:
     """Nodes of an importance of the scalars where nobody has said what is important, as the display
     has it: the largest few per cent. There is a warning. Raises ValueError if nothing stands out.
 
@@ -144,9 +149,13 @@ def assumed_importance(scalars, mask):
     return [[ramp[0], 0.0], [ramp[1], 1.0]]
 
 
-def scene_of(volume, scalars=None, importance=None, importance_function=None, extinction=None,
-             extinction_function=None, opacity_function=None, unit_distance=None, spacing=None,
-             origin=None, direction=None, importance_component=None, structures=None, layout=None, targets=None):
+def scene_of(volume: Any, scalars: Any = None, importance: Any = None,
+             importance_function: Rows | None = None, extinction: Any = None,
+             extinction_function: Rows | None = None, opacity_function: Rows | None = None,
+             unit_distance: Any = None, spacing: Any = None, origin: Any = None,
+             direction: Any = None, importance_component: int | None = None,
+             structures: Any = None, layout: Layout | None = None,
+             targets: dict[int, float] | None = None) -> Scene:
     """A Scene from the arguments that optimize documents. Raises ValueError.
 
     layout: that the fields are wanted in; None: the one that takes fewest copies.
@@ -197,5 +206,5 @@ def scene_of(volume, scalars=None, importance=None, importance_function=None, ex
     else:
         g = mapped(g, PiecewiseLinear("importance_function", importance_function, -math.inf,
                                       math.inf), layout)
-    mu, g = corrected(*emptied((mu, g), source.mask), layout)
+    mu, g = corrected(emptied(mu, source.mask), emptied(g, source.mask), layout)
     return Scene(source, source.grid, layout, mu, g, majorant, distance, data, segmentation)

@@ -3,18 +3,27 @@
 
 """Directions spread over the unit sphere, and the triangles between them."""
 
+from __future__ import annotations
+
+from typing import Any
+
 import numpy as np
+import numpy.typing as npt
+
+from .given import Floats
 
 GOLDEN = (1 + 5 ** 0.5) / 2
 MOST_POINTS = 100_000
 
+Triangles = npt.NDArray[np.integer[Any]]
 
-def icosahedron():
+
+def icosahedron() -> tuple[Floats, Triangles]:
     """Twelve points (12, 3) and twenty triangles (20, 3), their corners counterclockwise as seen
     from outside."""
-    points = [np.roll((0, one, long), turn) for turn in range(3)
-              for one in (-1, 1) for long in (-GOLDEN, GOLDEN)]
-    points = unit(np.array(points, dtype=float))
+    corners = [np.roll((0, one, long), turn) for turn in range(3)
+               for one in (-1, 1) for long in (-GOLDEN, GOLDEN)]
+    points = unit(np.array(corners, dtype=float))
     dots = points @ points.T
     near = dots > 0.4  # neighbours have 0.447, others less
     triangles = [(a, b, c) for a in range(12) for b in range(12) for c in range(12)
@@ -23,12 +32,13 @@ def icosahedron():
     return points, np.array(triangles)
 
 
-def unit(vectors):
+def unit(vectors: Floats) -> Floats:
     """Vectors (n, 3) at length one."""
-    return vectors / np.linalg.norm(vectors, axis=1, keepdims=True)
+    lengths: Floats = np.linalg.norm(vectors, axis=1, keepdims=True)
+    return vectors / lengths
 
 
-def finer(points, triangles):
+def finer(points: Floats, triangles: Triangles) -> tuple[Floats, Triangles]:
     """Every triangle in four, the new points moved to the sphere."""
     edges = np.sort(triangles[:, [[0, 1], [1, 2], [2, 0]]].reshape(-1, 2), axis=1)
     edges, middles = np.unique(edges, axis=0, return_inverse=True)
@@ -39,7 +49,7 @@ def finer(points, triangles):
             np.vstack([np.column_stack(part) for part in parts]))
 
 
-def icosphere(count):
+def icosphere(count: int) -> tuple[Floats, Triangles]:
     """Points and triangles of the icosphere with a number of points as close to `count` as there
     is: 12, 42, 162, 642, 2562 and so on, the filters' default sphere."""
     points, triangles = icosahedron()
@@ -48,7 +58,7 @@ def icosphere(count):
     return points, triangles
 
 
-def triangles_between(points):
+def triangles_between(points: Floats) -> Triangles:
     """The convex hull of points of the unit sphere, which are sorted from the largest second
     coordinate to the smallest: triangles (2n - 4, 3), counterclockwise as seen from outside."""
     faces = np.array([[0, 1, 2], [0, 2, 3], [2, 1, 3], [1, 0, 3]])
@@ -71,7 +81,7 @@ def triangles_between(points):
     return np.vstack([*finished, faces])
 
 
-def planes_of(points, faces):
+def planes_of(points: Floats, faces: Triangles) -> tuple[Floats, Floats, Floats]:
     """Outward normals of triangles, offsets of their planes, and the second coordinate of the
     lowest point of the sphere outside each plane."""
     a, b, c = points[faces.T]
@@ -82,7 +92,7 @@ def planes_of(points, faces):
     return normals, offsets, np.where(to_bottom > opening, -np.cos(to_bottom - opening), -1.0)
 
 
-def fibonacci(count):
+def fibonacci(count: int) -> tuple[Floats, Triangles]:
     """Points and triangles of a spiral from pole to pole: any number of points, four at least."""
     number = max(count, 4)  # a tetrahedron
     turns = np.arange(number) * np.pi * (3 - 5 ** 0.5)
@@ -92,7 +102,7 @@ def fibonacci(count):
     return points, triangles_between(points)
 
 
-def latitude_longitude(count):
+def latitude_longitude(count: int) -> tuple[Floats, Triangles]:
     """Points and triangles of rings about the second axis, whose poles are single points: twice as
     many columns as from pole to pole."""
     rings = max(1, int(0.5 * (max(2 * count - 3, 1) ** 0.5 - 1) + 0.5))
@@ -117,6 +127,6 @@ SAMPLINGS = {"icosphere": icosphere, "fibonacci": fibonacci,
              "latitude_longitude": latitude_longitude}
 
 
-def spacing(points):
+def spacing(points: Floats) -> float:
     """Mean angle between neighbouring directions [radians]."""
-    return (4 * np.pi / len(points)) ** 0.5
+    return float((4 * np.pi / len(points)) ** 0.5)

@@ -3,19 +3,24 @@
 
 """Structures: labels of a segmentation as importance."""
 
+from __future__ import annotations
+
 import collections.abc
 import dataclasses
+from typing import Any
 
 import numpy as np
 
 from . import _core
 from .arguments import number_between, warn, whole_number
+from .fields import Layout
+from .given import Array, Singles
 
 LARGEST = 2 ** 63 - 1
 MOST = 2 ** 16 - 1  # rows of 16 bits
 
 
-def importance_by_label(given):
+def importance_by_label(given: Any) -> dict[int, float]:
     """What is given as the importance of structures, checked: {label: importance}."""
     if not isinstance(given, collections.abc.Mapping):
         raise ValueError("structures are given, and importance is of the type "
@@ -28,7 +33,7 @@ def importance_by_label(given):
             for label, share in given.items()}
 
 
-def targets_by_label(given, structures):
+def targets_by_label(given: Any, structures: Any) -> dict[int, float]:
     """What is given as the targets of structures, checked: {label: share}."""
     if given is None:
         return {}
@@ -45,7 +50,7 @@ def targets_by_label(given, structures):
             for label, share in given.items()}
 
 
-def settings_for(structures, core_settings):
+def settings_for(structures: Any, core_settings: _core.Settings) -> _core.Settings:
     """The core's settings for a scene of these structures; None: it has none. Labels have no noise
     to smooth."""
     if structures is not None:
@@ -57,11 +62,12 @@ def settings_for(structures, core_settings):
 class Segmentation:
     """Structures, and which of them each point belongs to."""
 
-    table: list  #: (label, name, importance, target or None), empty names stand for labels
-    rows: np.ndarray  #: uint16, like a field: number of the structure, from 1 on; 0: none of them
+    table: list[Any]  #: (label, name, importance, target or None), empty names stand for labels
+    rows: Array  #: uint16, like a field: number of the structure, from 1 on; 0: none of them
 
     @classmethod
-    def of(cls, labels, given, targets, layout):
+    def of(cls, labels: Array, given: Any, targets: dict[int, float],
+           layout: Layout) -> Segmentation:
         """That of an array of labels.
 
         labels: an array of whole numbers; NaN is none.
@@ -73,7 +79,7 @@ class Segmentation:
         if is_any:
             warn("structures are given without importance: all labels but 0 are equally important. "
                  "Give that of the structures that matter, like importance={3: 1, 7: 0.5}.")
-            table = [(1, "all labels", 1.0, None)]
+            table: list[Any] = [(1, "all labels", 1.0, None)]
         else:
             shares = dict.fromkeys(targets, 1.0) if given is None else importance_by_label(given)
             table = [(label, "", shares.get(label, 0.0), targets.get(label))
@@ -93,7 +99,7 @@ class Segmentation:
                 slab[...] = np.where(is_known, row + 1, 0)
         return cls(table, rows)
 
-    def importance(self, layout):
+    def importance(self, layout: Layout) -> Singles:
         """The importance of each point, float32 of that layout."""
         of_rows = np.array([0] + [share for _, _, share, _ in self.table], dtype=np.float32)
         result = layout.empty(self.rows.shape)
@@ -104,28 +110,65 @@ class Segmentation:
 
 @dataclasses.dataclass(frozen=True)
 class StructureShares:
-    """What is seen of a structure, as shares of what the data have of it [0, 1]."""
+    """What is seen of a structure, as shares of what the data have of it.
+
+    Attributes
+    ----------
+    label : int
+        Its label in the segmentation.
+    importance : float
+        Its importance, as given [0, 1].
+    target : float or None
+        Its target, as given [0, 1]; None: it has none.
+    weight : float
+        The importance that was used, with which the targets are met [0, 1].
+    visible : float
+        Share whose light reaches the camera [0, 1].
+    base_visible : float
+        The same share through the base extinction [0, 1].
+    removed : float
+        Share that was removed [0, 1].
+    attainable : float
+        The most that `visible` could be from this camera, whatever is cleared [0, 1].
+    hidden_by : dict of int or None to float
+        Share that each structure hides, by its label, None for other matter [0, 1]; empty if there
+        are more than 256 structures.
+    """
 
     label: int
-    importance: float  #: as given
-    target: float  #: as given; None: there is none
-    weight: float  #: the importance that was used, with which the targets are met
-    visible: float  #: its light reaches the camera
-    base_visible: float  #: the same through the base extinction
+    importance: float
+    target: float | None
+    weight: float
+    visible: float
+    base_visible: float
     removed: float
-    attainable: float  #: the most that `visible` could be from this camera, whatever is cleared
-    hidden_by: dict  #: by label, None for other matter; empty for more than 256 structures
+    attainable: float
+    hidden_by: dict[int | None, float]
+
+    def as_header(self) -> list[Any]:
+        """What a file has of it."""
+        values = [getattr(self, field.name) for field in dataclasses.fields(self)]
+        return [*values[:-1], list(self.hidden_by.items())]
 
     @classmethod
-    def all_of(cls, segmentation, found):
+    def from_header(cls, row: list[Any]) -> StructureShares:
+        """That of a file."""
+        names = [field.name for field in dataclasses.fields(cls)]
+        values = dict(zip(names, row))
+        return cls(**{**values, "hidden_by": dict(map(tuple, values["hidden_by"]))})
+
+    @classmethod
+    def all_of(cls, segmentation: Segmentation, found: list[Any]) -> dict[int, StructureShares]:
         """By label; `found`: rows as the core has them."""
         labels = [label for label, *_ in segmentation.table]
-        return {label: cls(label, importance, target, *shares, dict(zip([None, *labels], hidden)))
-                for (label, _, importance, target), (*shares, hidden)
+        return {label: cls(label, importance, target, weight, visible, base_visible, removed,
+                           attainable, dict(zip([None, *labels], hidden)))
+                for (label, _, importance, target),
+                (weight, visible, base_visible, removed, attainable, hidden)
                 in zip(segmentation.table, found)}
 
 
-def whole_numbers(values):
+def whole_numbers(values: Array) -> Array:
     """Labels as int64, of which NaN is 0. Raises ValueError if one is no whole number."""
     if values.dtype.kind != "f":
         return values.astype(np.int64)

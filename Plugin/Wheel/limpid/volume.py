@@ -3,9 +3,14 @@
 
 """What a user calls a volume: an image of PyVista's or VTK's, or arrays."""
 
+from __future__ import annotations
+
+from typing import Any, Iterable, Sequence
+
 import numpy as np
 
 from .arguments import warn
+from .given import Array, Mask
 from .grid import Grid
 from .named_axes import axes_of, doubt_about_axes, has_shape, placement_of, values_of
 
@@ -13,12 +18,12 @@ HIDDEN = 3  # flags of a blanked point (duplicate, hidden) in VTK's ghost arrays
 BLANKED = {"point_data": HIDDEN, "cell_data": 41}  # of a cell: duplicate, refined, hidden
 
 
-def is_image(volume):
+def is_image(volume: Any) -> bool:
     """Whether it has what an image has; the package knows neither VTK nor PyVista."""
     return all(hasattr(volume, name) for name in ("dimensions", "spacing", "point_data"))
 
 
-def refuse_other_data(volume):
+def refuse_other_data(volume: Any) -> None:
     """Raises ValueError for data of VTK's and PyVista's that are no image, nor an array."""
     if is_image(volume) or not hasattr(volume, "GetClassName"):
         return
@@ -37,7 +42,7 @@ def refuse_other_data(volume):
                      f"image with uniform spacing). {advice}")
 
 
-def refuse_blanked(image):
+def refuse_blanked(image: Any) -> None:
     """Raises ValueError where points or cells are blanked: the filters know what to do then."""
     for place, flags in BLANKED.items():
         data = getattr(image, place)
@@ -55,14 +60,15 @@ class Volume:
     spacing, origin, direction: see Grid; not with an image, which has them.
     """
 
-    def __init__(self, volume, others, spacing=None, origin=None, direction=None):
+    def __init__(self, volume: Any, others: Sequence[Any], spacing: Any = None,
+                 origin: Any = None, direction: Any = None) -> None:
         placement = {"spacing": spacing, "origin": origin, "direction": direction}
         given = {name: value for name, value in placement.items() if value is not None}
         refuse_other_data(volume)
         self.image = volume if is_image(volume) else None
         self.scalars = volume if self.image is None else None
-        self.axes = (0, 1, 2)  #: of an array as it is given: those that are x, y and z
-        self.mask = None  #: where a masked array has no value, shape grid.shape; None: nowhere
+        self.axes: tuple[int, int, int] = (0, 1, 2)  #: of an array as it is given: those that are x, y and z
+        self.mask: Mask | None = None  #: where a masked array has no value, shape grid.shape; None: nowhere
         if self.image is not None:
             if given:
                 raise ValueError(f"{' and '.join(given)} and an image are given (an image has its "
@@ -76,7 +82,7 @@ class Volume:
                              "has no volume, so nothing is occluded). Give at least two points "
                              "along each axis.")
 
-    def _grid(self, arrays, given):
+    def _grid(self, arrays: Iterable[Any], given: dict[str, Any]) -> Grid:
         first = next((array for array in arrays if has_shape(array)), None)
         if first is None:
             values = next((array for array in arrays if isinstance(array, (list, tuple))), None)
@@ -90,7 +96,8 @@ class Volume:
         if len(shape) not in (3, 4):
             raise ValueError(f"The volume has the shape {shape} (the axes must be x, y and z). "
                              "Give an array with three axes.")
-        self.axes = self.axes if axes is None else axes[:3]
+        if axes is not None:
+            self.axes = axes[0], axes[1], axes[2]
         grid = Grid(tuple(shape[axis] for axis in self.axes), **{**placement_of(first), **given})
         self._compare(given, Grid(grid.shape, **placement_of(first)), placement_of(first))
         doubt = doubt_about_axes(grid.shape, grid.spacing) if axes is None else None
@@ -99,7 +106,7 @@ class Volume:
         return grid
 
     @staticmethod
-    def _compare(given, own, told):
+    def _compare(given: dict[str, Any], own: Grid, told: dict[str, Any]) -> None:
         """Raises ValueError where what is given is not what the array itself tells."""
         for name in set(given) & set(told):
             ours, theirs = getattr(own, name), getattr(Grid(own.shape, **{name: given[name]}), name)
@@ -108,14 +115,15 @@ class Volume:
                                  f"{np.asarray(ours).tolist()} (these contradict each other). "
                                  f"Leave {name} out, or give the array without it.")
 
-    def as_given(self, field):
+    def as_given(self, field: Array) -> Array:
         """A field of shape grid.shape as the volume itself is: arrays in the order of its axes,
         images flat, x fastest. Not copied, unless it is for an image and in another order."""
         if self.image is not None:
             return field.ravel(order="F")
         return field.transpose(np.argsort(self.axes))
 
-    def field(self, role, given, default=None, component=None):
+    def field(self, role: str, given: Any, default: str | None = None,
+              component: int | None = None) -> Array:
         """An array of shape `grid.shape`, of any type, never copied but for the length of tuples.
 
         role: what it is, for messages.
@@ -142,7 +150,7 @@ class Volume:
         self._add_mask(np.ma.getmask(array))
         return np.asarray(array)
 
-    def _in_order(self, given):
+    def _in_order(self, given: Any) -> Array:
         """An array, masked if it is given so, shape grid.shape, maybe with components behind."""
         array = given if isinstance(given, np.ma.MaskedArray) else values_of(given)
         points = int(np.prod(self.grid.shape))
@@ -153,7 +161,7 @@ class Volume:
         return array if axes == tuple(range(array.ndim)) or array.ndim != len(axes) else \
             array.transpose(axes)
 
-    def _require_points(self, role, array):
+    def _require_points(self, role: str, array: Array) -> None:
         shape = self.grid.shape
         cells = tuple(count - 1 for count in shape)
         if array.shape[:3] == cells or array.shape[:1] == (int(np.prod(cells)),):
@@ -166,23 +174,23 @@ class Volume:
                              f"{shape} points (the shapes must be equal). Give one number for each "
                              "point, indexed [x, y, z].")
 
-    def _add_mask(self, mask):
+    def _add_mask(self, mask: Any) -> None:
         if mask is not np.ma.nomask and mask.any():
             self.mask = mask if self.mask is None else self.mask | mask
 
-    def has_array(self, name):
+    def has_array(self, name: str) -> bool:
         """Whether it is an image with an array of points of that name."""
         return self.image is not None and name in self.image.point_data.keys()
 
-    def _active_name(self):
-        data = self.image.point_data
-        name = getattr(data, "active_scalars_name", None)
-        if name is None and hasattr(self.image, "GetPointData"):
-            active = self.image.GetPointData().GetScalars()
+    def _active_name(self) -> str:
+        image: Any = self.image
+        name = getattr(image.point_data, "active_scalars_name", None)
+        if name is None and hasattr(image, "GetPointData"):
+            active = image.GetPointData().GetScalars()
             name = active.GetName() if active else None
         return name or "(the active scalars)"
 
-    def _named(self, role, name):
+    def _named(self, role: str, name: str) -> Array:
         if self.image is None:
             raise ValueError(f"The {role} is {name!r}, a name, and the volume is an array (only "
                              "images have named arrays). Give the array itself.")
@@ -200,7 +208,7 @@ class Volume:
                          f"{', '.join(map(repr, names)) or 'there is none'}.")
 
 
-def component_of(role, array, component):
+def component_of(role: str, array: Array, component: int | None) -> Array:
     """One number per point of an array (X, Y, Z) or (X, Y, Z, components), see Volume.field."""
     count = array.shape[3] if array.ndim == 4 else 1
     if component is None and count > 1:
