@@ -89,7 +89,7 @@ const limpid::ControlGrid& vtkExtinctionOptimizer::Internals::ChooseControl(
   const limpid::SceneFields& scene)
 {
   const limpid::Settings settings = limpid::SettingsOf(this->Self->Settings);
-  constexpr double ofData = 20; // both fields, the result, and what they are resampled from
+  const double ofData = this->BytesPerDataPoint();
   const double all = this->BytesPerPoint();
   std::ostringstream what;
   what << scene.grid.nodes.x << ' ' << scene.grid.nodes.y << ' ' << scene.grid.nodes.z << ' ' << all
@@ -196,21 +196,29 @@ bool vtkExtinctionOptimizer::Internals::HasTwoExtinctions() const
   return this->Self->GetMode() == SEPARATE || this->Self->GetMethod() == AMENT_2017;
 }
 
-// Memory of a run in addition to its input, including results. Measured by
-// Testing/Benchmarks/filter_memory.py at 512^3 points: 34 with the policy, 40 with Adam, 63 in
-// separate mode, 46 if the policy also optimises the viewpoint; up to three more at 256^3. Counted:
-// smoothed importance and its derived fields, of which there may be a copy in another order of
-// axes; the pull of neighbours; the last change, and the fields derived from it in two orders.
+// Returns the memory of a run in addition to its input, including results, for an image in which every
+// point matters. Measured by Testing/Benchmarks/filter_memory.py with 192^3 and 256^3 points, a camera
+// along y and a thick medium: 54 bytes per point with the policy and the extinction alone, 60 with all
+// arrays, 68 in separate mode, 88 if the viewpoint is optimised; 93 and 126 with Adam. Counted: the
+// last change, and the fields derived from it in two orders.
 double vtkExtinctionOptimizer::Internals::BytesPerPoint() const
 {
   const bool adam = this->Self->GetSolver() == ADAM;
   const bool two = this->HasTwoExtinctions();
-  const double separate = two ? 22 : 0;
-  const double viewpoint = this->Self->OptimizeViewpoint ? (adam ? 30 : 12) : 0;
-  const double despeckled = this->Self->GetImportanceSmoothing() == MEDIAN ? 20 : 0;
-  const double smoothed = this->Self->GetSmoothness() > 0 ? 4 : 0;
+  const double minimised = adam ? 83 : 44;
+  const double results = adam || this->WantedArrays().OfSweeps().Empty() ? 0 : 11;
+  const double separate = two && !adam ? 9 : 0;
+  const double viewpoint = this->Self->OptimizeViewpoint ? 34 : 0;
+  const double despeckled = this->Self->GetImportanceSmoothing() == MEDIAN ? 10 : 0;
   const double coherent = this->Self->GetTemporalCoherence() > 0 ? (two ? 24 : 12) : 0;
-  return (adam ? 42 : 36) + separate + viewpoint + despeckled + smoothed + coherent;
+  return minimised + results + separate + viewpoint + despeckled + coherent;
+}
+
+// Returns the part of it that does not depend on the control grid: both fields, the change, the
+// result, and what they are resampled from.
+double vtkExtinctionOptimizer::Internals::BytesPerDataPoint() const
+{
+  return 24 + (this->HasTwoExtinctions() ? 8 : 0) + (this->WantedArrays().Has("Opacity") ? 4 : 0);
 }
 
 limpid::Camera vtkExtinctionOptimizer::Internals::MakeCamera(const limpid::Grid& grid) const

@@ -37,6 +37,7 @@ struct vtkExtinctionOptimizer::Internals
 
   bool HasTwoExtinctions() const;
   double BytesPerPoint() const;
+  double BytesPerDataPoint() const;
   bool RanksShare(vtkInformation* outInfo) const;
   limpid::ImageScene Read(vtkInformationVector** inputVector) const;
   limpid::Camera MakeCamera(const limpid::Grid& grid) const;

@@ -159,7 +159,7 @@ int vtkViewpointSearch::RequestData(
   catch (const std::exception& error)
   {
     const limpid::MemoryNeed need{
-      this->Field == OPTIMIZE_PER_VIEW ? 50.0 : Internals::BytesPerPoint, limpid::fewerPoints
+      this->Field == OPTIMIZE_PER_VIEW ? 65.0 : Internals::BytesPerPoint, limpid::fewerPoints
     };
     vtkErrorMacro(<< limpid::MessageOf(error, vtkImageData::GetData(inputVector[0]), need));
     clear();

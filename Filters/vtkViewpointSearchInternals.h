@@ -65,7 +65,7 @@ struct vtkViewpointSearch::Internals
   static bool HasWholeImage(vtkInformationVector** inputVector);
   bool IsLarge(vtkInformationVector** inputVector) const;
 
-  static constexpr double BytesPerPoint = 22; // measured by Testing/Benchmarks/filter_memory.py
+  static constexpr double BytesPerPoint = 48; // measured by Testing/Benchmarks/filter_memory.py
 
   vtkViewpointSearch* Self;
   SceneReader Reader;
