@@ -50,7 +50,7 @@ namespace
 {
 using Looks = limpid::StructureLooks;
 
-const limpid::MemoryNeed Need{ 2 * sizeof(std::int64_t), limpid::fewerPoints };
+const limpid::MemoryNeed NeedOfAdding{ 2 * sizeof(std::int64_t), limpid::fewerPoints };
 
 // Adds the numeric arrays of the points or the cells of an image.
 void AddArrays(
@@ -455,7 +455,7 @@ int vtkAddStructures::RequestData(
   }
   catch (const std::exception& error)
   {
-    vtkErrorMacro(<< limpid::MessageOf(error, vtkImageData::GetData(inputVector[0]), Need));
+    vtkErrorMacro(<< limpid::MessageOf(error, vtkImageData::GetData(inputVector[0]), NeedOfAdding));
     clear();
     return 0;
   }

@@ -27,7 +27,7 @@ vtkStandardNewMacro(vtkOcclusionPhantom);
 
 namespace
 {
-const limpid::MemoryNeed Need{ 3 * sizeof(float) + 1, "Set a smaller Resolution." };
+const limpid::MemoryNeed NeedOfPhantom{ 3 * sizeof(float) + 1, "Set a smaller Resolution." };
 
 template <class ArrayType = vtkFloatArray>
 vtkSmartPointer<ArrayType> NewField(const char* name, vtkIdType count)
@@ -112,7 +112,7 @@ int vtkOcclusionPhantom::RequestData(
   }
   catch (const std::exception& error)
   {
-    vtkErrorMacro(<< limpid::MessageOf(error, output, Need));
+    vtkErrorMacro(<< limpid::MessageOf(error, output, NeedOfPhantom));
     output->Initialize();
     return 1; // if 0, the executive would join this extent with that of the next request
   }

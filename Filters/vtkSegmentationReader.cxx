@@ -28,7 +28,7 @@ vtkStandardNewMacro(vtkSegmentationReader);
 
 namespace
 {
-const limpid::MemoryNeed Need{ 2 * sizeof(double), limpid::fewerPoints };
+const limpid::MemoryNeed NeedOfReading{ 2 * sizeof(double), limpid::fewerPoints };
 
 using Pipeline = vtkStreamingDemandDrivenPipeline;
 
@@ -123,7 +123,7 @@ int vtkSegmentationReader::Try(const Action& action)
     const limpid::Int3& nodes = file.grid.nodes;
     const std::array<int, 3> points{ nodes.x, nodes.y, nodes.z };
     vtkErrorMacro(<< "The file \"" << this->FileName << "\" cannot be read. "
-                  << limpid::MessageOf(error, points.data(), Need));
+                  << limpid::MessageOf(error, points.data(), NeedOfReading));
     return 0;
   }
 }
