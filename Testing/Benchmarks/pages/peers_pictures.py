@@ -6,11 +6,12 @@
 from markdown import fixed, mebibytes, significant, table
 
 VTK = ("vtkFixedPointVolumeRayCastMapper", "vtkGPUVolumeRayCastMapper")
+ANOTHER_VTK = tuple(f"another VTK, {mapper}" for mapper in VTK)
 GROUPS = {  # by what light does; the first of each is what the others are compared with
     "without light": (
-        "Limpid", "Limpid, optimised for this picture", *VTK, "vdb_render, no shadow samples",
-        "an empty window"),
-    "shaded": ("Limpid, shaded", *(f"{mapper}, shaded" for mapper in VTK)),
+        "Limpid", "Limpid, optimised for this picture", *VTK, *ANOTHER_VTK,
+        "vdb_render, no shadow samples", "an empty window"),
+    "shaded": ("Limpid, shaded", *(f"{mapper}, shaded" for mapper in VTK + ANOTHER_VTK)),
     "with shadows": (
         "Limpid, shadows", "Limpid, shadows, light at rest",
         "Limpid, shadows, optimised for this picture", "vdb_render, shadows",
@@ -56,6 +57,14 @@ so its pictures are brighter. A slow peer is drawn once, with what prepares its 
 shadows (VolumetricScatteringBlending 2, GlobalIlluminationReach 1) are drawn in a quarter of the
 size along each side, and Limpid's beside them: one in full size took more than four minutes of
 this processor, and was not waited for.
+
+**OSPRay and Open VKL are not here.** ParaView and VTK draw volumes by OSPRay where they were built
+with it, and OSPRay samples volumes by Open VKL. No package of Debian 12, 13 or unstable, and none of
+PyPI, has both (looked for in November 2026). Debian 12 has neither. Debian 13 and unstable have
+OSPRay 3.2.0 (`libospray3`), built with `OSPRAY_ENABLE_VOLUMES` off: `ospNewVolume` returns null
+there, as a call showed. There is no package of Open VKL. Their ParaView (5.11, 5.13, 6.1) and VTK
+have no module RenderingRayTracing, nor has the wheel of VTK 9.6 on PyPI; nothing there depends on
+`libospray3`. conda-forge has both libraries, and its channels were out of reach.
 """
 
 
