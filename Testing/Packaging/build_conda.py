@@ -49,10 +49,13 @@ def upstream_version(package):
     return version or "0"
 
 
+def vtk_folder():
+    """Of the CMake files of Debian's VTK, which may be within ParaView."""
+    return pathlib.Path(printed_by("bash", str(ROOT / "Testing" / "vtk-folder.sh")))
+
+
 def vtk_version():
-    """Of the VTK that CMake finds, which may be within ParaView."""
-    folder = pathlib.Path(printed_by("bash", str(ROOT / "Testing" / "vtk-folder.sh")))
-    text = next(folder.glob("*-config-version.cmake")).read_text(encoding="utf-8")
+    text = next(vtk_folder().glob("*-config-version.cmake")).read_text(encoding="utf-8")
     return text.split('PACKAGE_VERSION "')[1].split('"')[0]
 
 
@@ -133,8 +136,9 @@ def make_channel(folder):
     for name in WHEELS:
         channel.add_wheel(name)
     channel.add("paraview", upstream_version("paraview"))
-    channel.add("vtk", vtk_version(), ["python"],
-                {f"{SITE}/debian.pth": "/usr/lib/python3/dist-packages\n"})
+    channel.add("vtk", vtk_version(), ["python"], {
+        f"{SITE}/debian.pth": "/usr/lib/python3/dist-packages\n",
+        "etc/conda/activate.d/vtk.sh": f"export VTK_DIR={vtk_folder()}\n"})
     channel.index()
     return channel
 
