@@ -6,11 +6,12 @@
 from markdown import fixed, mebibytes, significant, table
 
 VTK = ("vtkFixedPointVolumeRayCastMapper", "vtkGPUVolumeRayCastMapper")
+ANOTHER_VTK = tuple(f"another VTK, {mapper}" for mapper in VTK)
 GROUPS = {  # by what light does; the first of each is what the others are compared with
     "without light": (
-        "Limpid", "Limpid, optimised for this picture", *VTK, "vdb_render, no shadow samples",
-        "an empty window"),
-    "shaded": ("Limpid, shaded", *(f"{mapper}, shaded" for mapper in VTK)),
+        "Limpid", "Limpid, optimised for this picture", *VTK, *ANOTHER_VTK,
+        "vdb_render, no shadow samples", "an empty window"),
+    "shaded": ("Limpid, shaded", *(f"{mapper}, shaded" for mapper in VTK + ANOTHER_VTK)),
     "with shadows": (
         "Limpid, shadows", "Limpid, shadows, light at rest",
         "Limpid, shadows, optimised for this picture", "vdb_render, shadows",
@@ -57,6 +58,13 @@ from all sides, so its pictures are brighter. A slow program draws one picture, 
 preparation of its first picture. VTK's shadows (VolumetricScatteringBlending 2,
 GlobalIlluminationReach 1) are drawn in a quarter of the size along each side, and Limpid's beside them.
 A picture in full size took more than four minutes of this processor and was stopped.
+
+**OSPRay and Open VKL are not measured.** ParaView and VTK draw volumes by OSPRay if they were built
+with it, and OSPRay samples volumes by Open VKL. No package of Debian 12, 13 or unstable, and none of
+PyPI, has both (November 2026). Debian 12 has neither. Debian 13 and unstable have OSPRay 3.2.0
+(`libospray3`), built with `OSPRAY_ENABLE_VOLUMES` off: there, `ospNewVolume` returns null. There is no
+package of Open VKL. The wheel of VTK 9.6 on PyPI has no module RenderingRayTracing, and no package of
+these releases depends on `libospray3`. conda-forge has both libraries; its channels were out of reach.
 """
 
 

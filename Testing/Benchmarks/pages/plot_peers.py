@@ -8,7 +8,7 @@ import os
 import numpy as np
 
 from markdown import significant
-from peers_pictures import GROUPS
+from peers_pictures import ANOTHER_VTK, GROUPS
 from plot_style import pyplot, save
 
 MIDDLE = slice(0.1, 0.9)  # of a picture's rows and columns: the rest is empty
@@ -16,7 +16,8 @@ WRAPPED = {"vtkFixedPointVolumeRayCastMapper": "VTK, fixed point",
            "vtkGPUVolumeRayCastMapper": "VTK, GPU mapper",
            "optimised for this picture": "optimised", ", shaded": "", ", shadows": "", ", small": "",
            "vdb_render, no shadow samples": "vdb_render", "its own cutoff": "cutoff 0.005"}
-LEFT_OUT = ("an empty window", "Limpid, shadows, light at rest")
+LEFT_OUT = ("an empty window", "Limpid, shadows, light at rest", *ANOTHER_VTK,
+            *(f"{name}, shaded" for name in ANOTHER_VTK))
 
 
 def short(name):

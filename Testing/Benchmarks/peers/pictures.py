@@ -1,13 +1,15 @@
 # SPDX-FileCopyrightText: Copyright (c) Limpid developers
 # SPDX-License-Identifier: BSD-3-Clause
 
-"""Times pictures of one volume by Limpid, VTK's two volume mappers and vdb_render of OpenVDB.
+"""Times pictures of one volume by Limpid, VTK's two volume mappers, the same two of another VTK, and
+vdb_render of OpenVDB.
 
     bash Testing/with-display.sh /usr/bin/python3 Testing/Benchmarks/peers/pictures.py \\
-      [--nodes N] [--size N] [--repeats N] [--frames N] [--folder FOLDER] [--output FILE.json]
+      [--nodes N] [--size N] [--repeats N] [--frames N] [--folder FOLDER] [--another-vtk PYTHON] \\
+      [--output FILE.json]
 
 Needs the Python package limpid on PYTHONPATH; run.sh finds it. vdb_render is drawn if it is there,
-and the numbers say if not. Everything is drawn in turns. Limpid and VTK's mappers draw in this
+another VTK if the Python that has it is named, and the numbers say if not. Everything is drawn in turns. Limpid and VTK's mappers draw in this
 process, from another camera each time, and the light goes with it, unless it rests; the first
 picture, which prepares the volume, does not count. vdb_render is a process for each
 picture, from which one with a single pixel is subtracted: reading, preparing and starting. What
@@ -15,6 +17,7 @@ takes longer than SLOW is drawn once, and counts.
 """
 
 import argparse
+import contextlib
 import json
 import os
 import statistics
@@ -24,6 +27,7 @@ import sys
 import numpy as np
 from vtkmodules.vtkCommonCore import vtkVersion
 
+import another_vtk
 import vdb
 from head import HERE, STEP, Head, volume_views
 
@@ -94,7 +98,7 @@ class ByVdbRender:
         return vdb.read_picture(self.file)
 
 
-def kinds(head, folder, with_vdb):
+def kinds(head, folder, with_vdb, another=None):
     """Everything that is drawn, by name: without light, shaded, with shadows."""
     fixed_point = volume_views.fixed_point_mapper(STEP * head.spacing)
     gpu = volume_views.gpu_mapper(STEP * head.spacing)
@@ -127,6 +131,8 @@ def kinds(head, folder, with_vdb):
             head, folder, scatter=dense, shadowstep=vdb.NO_SHADOW, cutoff=vdb.CUTOFF)
         found["vdb_render, opaque, shadows"] = ByVdbRender(
             head, folder, scatter=dense, cutoff=vdb.CUTOFF)
+    if another:
+        found.update(another.kinds(TURN))
     return found
 
 
@@ -240,16 +246,27 @@ def moving_times(head, frames, method):
 
 
 def measure(arguments):
-    absent = vdb.missing()
     head = Head(arguments.nodes, arguments.size)
+    with contextlib.ExitStack() as stack:
+        another = None
+        if arguments.another_vtk:
+            another = stack.enter_context(
+                another_vtk.AnotherVtk(arguments.another_vtk, head, arguments.folder))
+        return measure_beside(another, head, arguments)
+
+
+def measure_beside(another, head, arguments):
+    absent = vdb.missing()
     if not absent:
         vdb.write_grid(head, os.path.join(arguments.folder, "head.vdb"))
-    drawn = kinds(head, arguments.folder, not absent)
+    drawn = kinds(head, arguments.folder, not absent, another)
     still = times(drawn, arguments)
     for name, of in still.items():
         if isinstance(drawn[name], ByMapper) and drawn[name].mapper is not None:
             of["peak_bytes"] = peak_of(name, arguments)
     versions = [f"VTK {vtkVersion.GetVTKVersion()}"] + ([] if absent else [vdb.version()])
+    if another:
+        versions.append(f"another VTK {another.version}")
     return {"nodes": arguments.nodes, "size": arguments.size, "step": STEP, "versions": versions,
             "still": still, "differences": differences(head, drawn),
             "white": [] if absent else white_differences(arguments), "learning": LEARNING,
@@ -264,6 +281,7 @@ def main():
     parser.add_argument("--repeats", type=int, default=3, help="timed pictures of each kind")
     parser.add_argument("--frames", type=int, default=20, help="timed frames of the orbit")
     parser.add_argument("--folder", default=".", help="for the grid of vdb_render and pictures")
+    parser.add_argument("--another-vtk", help="a Python with another VTK", metavar="PYTHON")
     parser.add_argument("--output", help="file to write; default: standard output")
     parser.add_argument("--peak", help=argparse.SUPPRESS)
     arguments = parser.parse_args()

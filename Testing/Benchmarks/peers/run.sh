@@ -10,6 +10,7 @@
 #   vdb_render  Debian's libopenvdb-tools and python3-openvdb
 #   PyTorch     pip's torch and numpy, in a virtual environment in build/peers (or PEERS_PYTHON)
 #   Mitsuba 3   pip's mitsuba and numpy there, and LLVM 16 or later, such as Debian's libllvm19
+#   another VTK pip's vtk and numpy there
 # --quick: small and few, to see whether it works. FOLDERs: with the programs (build), for the page
 # (Documentation/Benchmarks). Takes half an hour on two cores.
 
@@ -55,13 +56,19 @@ lacks() # what is left out, and how to get it
 }
 
 peers="${PEERS_PYTHON:-$build/peers/bin/python3}"
-environment="python3 -m venv build/peers && build/peers/bin/pip install numpy torch mitsuba"
+environment="python3 -m venv build/peers && build/peers/bin/pip install numpy torch mitsuba vtk"
 if [[ ! -x "$peers" ]]; then
   echo "There is no $peers; without it: $python." >&2
   peers="$python"
 fi
 without=()
 "$peers" -c "import torch" 2> /dev/null || { lacks PyTorch "$environment"; without+=(torch); }
+another=()
+if [[ "$peers" != "$python" ]] && "$peers" -c "import vtkmodules, numpy" 2> /dev/null; then
+  another=(--another-vtk "$peers")
+else
+  lacks "another VTK" "$environment"
+fi
 if ! "$peers" -c "import mitsuba" 2> /dev/null; then
   lacks "Mitsuba 3" "$environment"
   without+=(mitsuba)
@@ -85,7 +92,7 @@ mkdir -p "$parts" "$output"
 rm -f "$parts"/*.npy
 echo "== pictures"
 PYTHONPATH="$limpid" bash "$root/Testing/with-display.sh" "$python" -B "$here/pictures.py" \
-  "${pictures[@]}" --folder "$parts" --output "$parts/pictures.json"
+  "${pictures[@]}" "${another[@]}" --folder "$parts" --output "$parts/pictures.json"
 echo "== energy"
 "$peers" -B "$here/energy.py" --limpid "$build/bin/limpid_energy" "${energy[@]}" \
   --without "${without[@]}" --output "$parts/energy.json"

@@ -1,15 +1,20 @@
 # SPDX-FileCopyrightText: Copyright (c) Limpid developers
 # SPDX-License-Identifier: BSD-3-Clause
 
-"""Limpid for Spack. In a repository of packages of one's own it is packages/limpid/package.py:
+"""Limpid for Spack: the plugin for ParaView, or the VTK modules.
 
+    spack repo add Plugin/Packaging/spack/spack_repo/limpid
     spack install limpid                      # the plugin for ParaView
     spack install limpid ~paraview +vtk       # classes for VTK, with Python
+    spack install limpid ~paraview            # the core alone
     spack install limpid +cuda cuda_arch=90
 
-Not run: no machine that Limpid was built on so far has Spack. A release has no archive yet; until
-then, set `git` to where the repository is, or build a checkout by `spack dev-build limpid@main`.
+A release has no archive yet. Until then, `spack dev-build limpid@main` builds a checkout, or set `git`
+to where the repository is. How far it was tried is in Plugin/Packaging/README.md.
 """
+
+from spack_repo.builtin.build_systems.cmake import CMakePackage, generator
+from spack_repo.builtin.build_systems.cuda import CudaPackage
 
 from spack.package import *
 
@@ -53,6 +58,9 @@ class Limpid(CMakePackage, CudaPackage):
             self.define_from_variant("LIMPID_ENABLE_GUI", "gui"),
             self.define_from_variant("LIMPID_ENABLE_CUDA", "cuda"),
         ]
+        if self.spec.satisfies("+vtk"):
+            # Spack's own folder, which `extends` puts on PYTHONPATH.
+            args.append(self.define("LIMPID_PYTHON_DESTINATION", python_platlib_of(self)))
         if self.spec.satisfies("+cuda"):
             args.append(self.builder.define_cuda_architectures(self))
         return args
@@ -70,8 +78,17 @@ class Limpid(CMakePackage, CudaPackage):
     @run_after("install")
     @on_package_attributes(run_tests=True)
     def check_install(self):
-        """Loads the plugin, optimises a phantom, and looks whether more of it can be seen."""
+        """Optimises a phantom by what was installed, and looks whether more of it can be seen."""
+        scripts = join_path(self.stage.source_path, "Plugin", "Packaging")
         if self.spec.satisfies("+paraview"):
             plugin = join_path(self.plugin_folder("Limpid"), "Limpid.so")
-            script = join_path(self.stage.source_path, "Plugin", "Packaging", "test_plugin.py")
-            Executable(join_path(self.spec["paraview"].prefix.bin, "pvpython"))(script, plugin)
+            pvpython = Executable(join_path(self.spec["paraview"].prefix.bin, "pvpython"))
+            pvpython(join_path(scripts, "test_plugin.py"), plugin)
+        if self.spec.satisfies("+vtk"):
+            self.spec["python"].command(join_path(scripts, "test_modules.py"), extra_env={
+                "PYTHONPATH": join_path(self.prefix, python_platlib_of(self))})
+
+
+def python_platlib_of(package):
+    """The folder below the prefix for modules of Python."""
+    return package.spec["python"].package.platlib
