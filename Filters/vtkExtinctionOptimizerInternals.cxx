@@ -103,8 +103,8 @@ const limpid::ControlGrid& vtkExtinctionOptimizer::Internals::ChooseControl(
       : limpid::ControlGrid();
     this->ControlIsFor = what.str();
     constexpr double gigabyte = 1e9;
-    limpidLog("%s, %.2f GB of memory needed", this->Control.Text().c_str(),
-      this->Control.bytes / gigabyte);
+    limpidLog(
+      "%s, %.2f GB of memory needed", this->Control.Text().c_str(), this->Control.bytes / gigabyte);
   }
   return this->Control;
 }
@@ -196,11 +196,11 @@ bool vtkExtinctionOptimizer::Internals::HasTwoExtinctions() const
   return this->Self->GetMode() == SEPARATE || this->Self->GetMethod() == AMENT_2017;
 }
 
-// Returns the memory of a run in addition to its input, including results, for an image in which every
-// point matters. Measured by Testing/Benchmarks/filter_memory.py with 192^3 and 256^3 points, a camera
-// along y and a thick medium: 54 bytes per point with the policy and the extinction alone, 60 with all
-// arrays, 68 in separate mode, 88 if the viewpoint is optimised; 93 and 126 with Adam. Counted: the
-// last change, and the fields derived from it in two orders.
+// Returns the memory of a run in addition to its input, including results, for an image in which
+// every point matters. Measured by Testing/Benchmarks/filter_memory.py with 192^3 and 256^3 points,
+// a camera along y and a thick medium: 54 bytes per point with the policy and the extinction alone,
+// 60 with all arrays, 68 in separate mode, 88 if the viewpoint is optimised; 93 and 126 with Adam.
+// Counted: the last change, and the fields derived from it in two orders.
 double vtkExtinctionOptimizer::Internals::BytesPerPoint() const
 {
   const bool adam = this->Self->GetSolver() == ADAM;

@@ -340,8 +340,7 @@ std::optional<ViewGeometry> VolumeView::BeginFrame(
 void VolumeView::PrepareFrame(const FrameSettings& frame, const VolumeData& data,
   const ViewGeometry& geometry, FrameMessages& messages)
 {
-  limpidLogScope(
-    "Optimized Volume: %s frame of %d x %d pixels", frame.still ? "still" : "moving",
+  limpidLogScope("Optimized Volume: %s frame of %d x %d pixels", frame.still ? "still" : "moving",
     geometry.size[0], geometry.size[1]);
   if (std::exchange(this->RestsOptimized, false))
   {

@@ -221,8 +221,8 @@ bool PreparedScene::SomethingToSee() const
   return this->SomethingImportant && this->LargestExtinction > 0 && this->Fields.grid.HasVolume();
 }
 
-/// Scores and ceilings do not need the node importance of the importance as given. It is freed while
-/// there is a despeckled importance.
+/// Scores and ceilings do not need the node importance of the importance as given. It is freed
+/// while there is a despeckled importance.
 PreparedScene::Important& PreparedScene::ImportantFor(ImportanceSmoothing smoothing, bool minimised)
 {
   if (smoothing != ImportanceSmoothing::Off && !this->Despeckled)
@@ -241,8 +241,7 @@ PreparedScene::Important& PreparedScene::ImportantFor(ImportanceSmoothing smooth
     this->Despeckled = std::move(made);
     this->Free(this->Given);
   }
-  Important& important =
-    smoothing == ImportanceSmoothing::Off ? this->Given : *this->Despeckled;
+  Important& important = smoothing == ImportanceSmoothing::Off ? this->Given : *this->Despeckled;
   if (minimised && !important.ofNodes)
   {
     important.ofNodes = this->NodeImportanceOf(important);

@@ -103,8 +103,8 @@ private:
   /// An importance and data derived from it.
   struct Important
   {
-    const float* values = nullptr; ///< [0, 1]
-    NodeValues own; ///< owner of `values`, unless the caller owns them
+    const float* values = nullptr;             ///< [0, 1]
+    NodeValues own;                            ///< owner of `values`, unless the caller owns them
     std::shared_ptr<const NodeValues> ofNodes; ///< see NodeImportanceOfFilled; null: freed
     std::shared_ptr<const Occupancy> occupancy;
     std::shared_ptr<Resident> resident = std::make_shared<Resident>();

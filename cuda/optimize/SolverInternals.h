@@ -263,8 +263,7 @@ struct Solver::Internals
       return this->ScoreOf(field);
     }
     return this->ScoreBy(this->judgeOfIterates, field,
-      [this]
-      {
+      [this] {
         return this->prepared->ProblemForScoresOfIterates(
           this->camera, this->light, this->settings);
       });
