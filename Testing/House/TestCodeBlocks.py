@@ -26,6 +26,7 @@ class NotRun(NamedTuple):
 BUILDS = NotRun("It builds everything and runs all tests, this one included. Testing/releases.sh runs it.")
 MAKES_PICTURES = NotRun("It makes the pictures of the page from the test scenes, for minutes. Tests run "
                         "the same scripts on small images (ParaView.Example*, Gui.TestTutorial).")
+WRITES_FILES = NotRun("ParaView.TestExamplesOfFiles runs the same script, and reads its files.")
 OF_DEVELOPERS = NotRun("It takes up to two hours, or changes the tree or the machine of a developer.")
 
 #: By page and by the first words of a block: the test that runs it, or why there is none.
@@ -72,6 +73,20 @@ RUN_BY = {
         "pvpython Documentation/Examples/structures_sheet.py": MAKES_PICTURES,
         "pvpython Documentation/Examples/opaque_sheet.py": MAKES_PICTURES,
         "pvpython Documentation/Examples/any_data.py": MAKES_PICTURES,
+    },
+    "Documentation/Export.md": {
+        "pvpython Documentation/Examples/export_volume.py": WRITES_FILES,
+        "pvpython Documentation/Examples/cinema.py": WRITES_FILES,
+    },
+    "Documentation/Headless.md": {
+        "xvfb-run --auto-servernum pvpython": NotRun(
+            "ParaView.ExampleOptimizedVolume runs the same script, on a display of its own."),
+        "docker build": OF_DEVELOPERS,
+        "bash Testing/pvserver.sh": OF_DEVELOPERS,
+    },
+    "Plugin/Packaging/README.md": {
+        "bash Testing/recipes.sh": OF_DEVELOPERS,
+        "spack repo add": OF_DEVELOPERS,
     },
     "Documentation/Examples/figures/README.md": {"bash Testing/build.sh": MAKES_PICTURES},
     "Documentation/Tutorial.md": {"bash Documentation/Examples/tutorial.sh": MAKES_PICTURES},
