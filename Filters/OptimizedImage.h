@@ -36,8 +36,6 @@ public:
 
   bool Has(const std::string& name) const { return this->Names.count(name) > 0; }
 
-  bool Empty() const { return this->Names.empty(); }
-
   /// Returns those that need a sweep through the data: transmittances and what is made of them.
   ResultArrays OfSweeps() const;
 

@@ -206,7 +206,10 @@ double vtkExtinctionOptimizer::Internals::BytesPerPoint() const
   const bool adam = this->Self->GetSolver() == ADAM;
   const bool two = this->HasTwoExtinctions();
   const double minimised = adam ? 83 : 44;
-  const double results = adam || this->WantedArrays().OfSweeps().Empty() ? 0 : 11;
+  const std::set<std::string>& wanted = this->Self->ResultArrays;
+  const bool sweeps = wanted.count("Transmittance") > 0 || wanted.count("LightTransmittance") > 0 ||
+    wanted.count("MissedImportance") > 0;
+  const double results = sweeps && !adam ? 11 : 0;
   const double separate = two && !adam ? 9 : 0;
   const double viewpoint = this->Self->OptimizeViewpoint ? 34 : 0;
   const double despeckled = this->Self->GetImportanceSmoothing() == MEDIAN ? 10 : 0;
@@ -218,7 +221,8 @@ double vtkExtinctionOptimizer::Internals::BytesPerPoint() const
 // result, and what they are resampled from.
 double vtkExtinctionOptimizer::Internals::BytesPerDataPoint() const
 {
-  return 24 + (this->HasTwoExtinctions() ? 8 : 0) + (this->WantedArrays().Has("Opacity") ? 4 : 0);
+  const bool opacity = this->Self->ResultArrays.count("Opacity") > 0;
+  return 24 + (this->HasTwoExtinctions() ? 8 : 0) + (opacity ? 4 : 0);
 }
 
 limpid::Camera vtkExtinctionOptimizer::Internals::MakeCamera(const limpid::Grid& grid) const

@@ -25,13 +25,14 @@ struct ProblemFields
     const auto count = static_cast<std::size_t>(problem.grid.NodeCount());
     this->base = Field(device, problem.baseExtinction, count, "the base extinction");
     this->importance = Field(device, problem.importance, count, "the importance");
-    this->nodeImportance = Field(device, problem.nodeImportance, count, "the importance");
+    this->nodeImportance =
+      Field(device, problem.nodeImportance, problem.nodeImportance ? count : 0, "the importance");
   }
 
   std::shared_ptr<AnyDevice> where;
   Field base;           ///< [1/length]
   Field importance;     ///< [0, 1]
-  Field nodeImportance; ///< [0, 1]
+  Field nodeImportance; ///< [0, 1]; empty if the problem has none
 
   /// Returns the fields of a problem. They are copied on first use, and again for another device.
   static std::shared_ptr<ProblemFields> Of(
