@@ -79,6 +79,22 @@ public:
     return editor;
   }
 };
+
+// Gives editors of targets a name. ParaView's recorder would number them among all editors that are
+// not deleted yet, which depends on time.
+class TargetDelegate : public QStyledItemDelegate
+{
+public:
+  using QStyledItemDelegate::QStyledItemDelegate;
+
+  QWidget* createEditor(
+    QWidget* parent, const QStyleOptionViewItem& option, const QModelIndex& index) const override
+  {
+    QWidget* editor = this->QStyledItemDelegate::createEditor(parent, option, index);
+    editor->setObjectName("Target");
+    return editor;
+  }
+};
 }
 
 LimpidStructures::LimpidStructures(
@@ -167,6 +183,7 @@ void LimpidStructures::createTable()
   this->Table->sortByColumn(-1, Qt::AscendingOrder); // as the property has them
   this->Table->setItemDelegateForColumn(
     LimpidStructureModel::IMPORTANCE, new ImportanceDelegate(this));
+  this->Table->setItemDelegateForColumn(LimpidStructureModel::TARGET, new TargetDelegate(this));
   QHeaderView* left = this->Table->verticalHeader();
   left->hide();
   left->setMinimumSectionSize(1);
