@@ -80,8 +80,7 @@ public:
   }
 };
 
-// Gives editors of targets a name. ParaView's recorder would number them among all editors that are
-// not deleted yet, which depends on time.
+// Gives editors of targets a name, as those of importances have, by which recorded events find them.
 class TargetDelegate : public QStyledItemDelegate
 {
 public:
