@@ -9,7 +9,6 @@
 #include "sweep/Registers.h"
 
 #include <algorithm>
-#include <array>
 #include <utility>
 
 namespace limpid
@@ -23,15 +22,6 @@ int DepthAxisOf(const RaySource& source, const Grid& grid)
   const Vec3 along = glm::abs(source.parallel ? source.direction : middle - source.origin);
   const int xOrY = along.y > along.x ? 1 : 0;
   return along.z >= along[xOrY] ? 2 : xOrY;
-}
-
-/// Returns whether there are more sweeps than those that measure the start.
-bool SweepsOften(const Settings& settings)
-{
-  const std::array<int, 3>& ofAdam = settings.iterationsPerLevel;
-  const bool adam = settings.solver == SolverKind::Adam;
-  return !InfoOf(settings.method).iterates ||
-    (adam ? *std::max_element(ofAdam.begin(), ofAdam.end()) : settings.maximumIterations) > 0;
 }
 
 /// Copies only filled voxels, row by row; both orders have the same rows.
@@ -185,10 +175,6 @@ Problem Reordered(const Problem& problem, const AxisPermutation& order)
 
 AxisPermutation OrderFor(const Problem& problem)
 {
-  if (!SweepsOften(problem.settings))
-  {
-    return {};
-  }
   const Weights& weights = problem.settings.weights;
   const int camera = DepthAxisOf(problem.Camera(), problem.grid);
   const int light = DepthAxisOf(problem.Light(), problem.grid);

@@ -28,8 +28,6 @@ struct PermutedFields
  * Returns the permutation of axes for which sweeps read memory in order. The camera, which is
  * swept most, gets the last axis as depth, so that slices are contiguous. Rows run along an axis
  * that is neither the camera's nor the light's depth axis, so that no slice has to be transposed.
- * Without iterations, the order stays: to permute the fields takes as long as a sweep, and twelve
- * bytes per node.
  */
 AxisPermutation OrderFor(const Problem& problem);
 
