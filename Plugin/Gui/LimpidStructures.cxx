@@ -80,7 +80,8 @@ public:
   }
 };
 
-// Gives editors of targets a name, as those of importances have, by which recorded events find them.
+// Gives editors of targets a name, as those of importances have, by which recorded events find
+// them.
 class TargetDelegate : public QStyledItemDelegate
 {
 public:
