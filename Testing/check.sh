@@ -64,14 +64,20 @@ tidy()
   # What nvcc compiles has options that clang does not know, and the C++ compiler sees most of it.
   mkdir -p build/tidy
   python3 - "$root" "$@" > build/tidy/sources << 'EOF'
-import json, pathlib, sys
+import json, pathlib, re, sys
 root = pathlib.Path(sys.argv[1])
 named = [root / name for name in sys.argv[2:]]
 def is_named(file):
     return any(path == file or path in file.parents for path in named)
-commands = [entry for entry in json.loads((root / "build/compile_commands.json").read_text())
+# The sources that are compiled by a command: several if CMake has joined them in a file.
+def sources_of(entry):
+    file = pathlib.Path(entry["file"])
+    joined = "Unity" in file.parts and file.exists()
+    return re.findall(r'#include "([^"]+)"', file.read_text()) if joined else [entry["file"]]
+commands = [{**entry, "file": source, "command": entry["command"].replace(entry["file"], source)}
+            for entry in json.loads((root / "build/compile_commands.json").read_text())
             if "nvcc" not in entry["command"].split()[0]
-            and is_named(pathlib.Path(entry["file"]))]
+            for source in sources_of(entry) if is_named(pathlib.Path(source))]
 (root / "build/tidy/compile_commands.json").write_text(json.dumps(commands))
 print("\n".join(sorted({entry["file"] for entry in commands})))
 EOF
