@@ -34,6 +34,7 @@ void ControlledScene::PrepareData(const SceneFields& data)
   if (this->IsCoarser())
   {
     this->Prepared = PreparedScene::Make(this->OfData);
+    this->Prepared->FreeNodeImportance();
   }
 }
 
