@@ -5,6 +5,7 @@
 
 #include "backend/HostDevice.h"
 #include "backend/Interruption.h"
+#include "render/ExtinctionOverlay.h"
 #include "render/HostTrace.h"
 #include "render/RayLanes.h"
 #include "render/Raycast.h"
@@ -20,28 +21,34 @@ constexpr int tileWidth = 4; // pixels
 constexpr int tileHeight = RayLanes::count / tileWidth;
 constexpr int tilesAtATime = 8; ///< neighbours along a row, which read the same nodes
 
-template <Compositing compositing>
-TraceOneRay TraceBy(const RayScene& scene)
+/// Traces rays of a scene by a kind of compositing.
+class Tracer
 {
-  const bool lit = scene.gradient != nullptr;
-  const bool overlaid = scene.overlay != nullptr;
-  return scene.structures ? HostTraceBy<compositing, true>(lit, overlaid)
-                          : HostTraceBy<compositing, false>(lit, overlaid);
-}
-
-TraceOneRay TraceOf(const RayScene& scene, Compositing compositing)
-{
-  switch (compositing)
+public:
+  Tracer(const RayScene& scene, Compositing compositing)
+    : Scene(scene)
+    , BeginsAtObject(compositing == Compositing::FromObject)
+    , Trace(compositing == Compositing::ImportanceMean ? HostTraceImportanceMean(scene)
+                                                       : HostTraceFrontToBack(scene))
   {
-    case Compositing::FromObject:
-      return TraceBy<Compositing::FromObject>(scene);
-    case Compositing::ImportanceMean:
-      return TraceBy<Compositing::ImportanceMean>(scene);
-    case Compositing::FrontToBack:
-      break;
   }
-  return TraceBy<Compositing::FrontToBack>(scene);
-}
+
+  void operator()(const Ray& ray, HostPixel& pixel) const
+  {
+    this->Trace(this->Scene, this->BeginsAtObject ? this->PartOf(ray) : ray, pixel);
+  }
+
+private:
+  Ray PartOf(const Ray& ray) const
+  {
+    return RunMultiversioned(
+      [&]() LIMPID_INLINE_LAMBDA { return PartFromObject<BlockSampler>(this->Scene, ray); });
+  }
+
+  const RayScene& Scene;
+  bool BeginsAtObject;
+  TraceOneRay Trace;
+};
 
 template <bool overlaid>
 RayImportance Gather(const RayScene& scene, const Ray& ray)
@@ -115,7 +122,7 @@ void SkipEmptyFronts(const BrickDistances& bricks, Ray* rays)
   }
 }
 
-void CastTile(const RayScene& scene, const PictureRays& rays, TraceOneRay trace, const Tile& tile)
+void CastTile(const RayScene& scene, const PictureRays& rays, const Tracer& trace, const Tile& tile)
 {
   Ray all[RayLanes::count];
   const auto of = [&](int column, int row) -> Ray&
@@ -132,7 +139,7 @@ void CastTile(const RayScene& scene, const PictureRays& rays, TraceOneRay trace,
       HostPixel received;
       if (ray.begin < ray.segments)
       {
-        trace(scene, ray, received);
+        trace(ray, received);
       }
       rays.Show(column, row, ray, received);
     });
@@ -141,7 +148,7 @@ void CastTile(const RayScene& scene, const PictureRays& rays, TraceOneRay trace,
 
 void CastRays(HostDevice&, const RayScene& scene, const PictureRays& rays, Compositing compositing)
 {
-  const TraceOneRay trace = TraceOf(scene, compositing);
+  const Tracer trace(scene, compositing);
   ForTiles(rays, [&](const Tile& tile) { CastTile(scene, rays, trace, tile); });
 }
 

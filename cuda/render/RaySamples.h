@@ -31,6 +31,14 @@ struct Ends
   LIMPID_HD LIMPID_INLINE Lanes Difference() const { return this->rear - this->front; }
 };
 
+/// What the colours of a ray depend on beside the transfer functions. Constants, where a ray is
+/// compiled for each case.
+struct RayLook
+{
+  bool lit;    ///< whether there is scene.gradient
+  bool tinted; ///< whether there are scene.structures
+};
+
 /**
  * Consecutive samples of a ray and the segments in front of them: values of the fields, lighting,
  * and contributions to a pixel. Segment i ends at sample i. A run of samples begins with a segment
@@ -161,38 +169,52 @@ struct RaySamples
     return base * lengthUnit * this->distance.Difference();
   }
 
-  /// Returns the colours of the structures in which the segments lie.
-  template <bool Tinted>
-  LIMPID_HD LIMPID_INLINE SegmentTints<AnySampler, Tinted> Tints(
-    const RayScene& scene, const Ray& ray) const
+  /// Calls add(i, color) for all segments, with colorOf(i), tinted by the structure in which the
+  /// segment lies. factorOf(i): the multiple of the transfer function's colour that colorOf
+  /// returns.
+  template <class ColorOf, class FactorOf, class Add>
+  LIMPID_HD LIMPID_INLINE void ForColors(const RayScene& scene, const Ray& ray, bool tinted,
+    const ColorOf& colorOf, const FactorOf& factorOf, const Add& add) const
   {
-    return SegmentTints<AnySampler, Tinted>(scene, ray, 0.5f * this->distance.Sum());
+    if (!tinted)
+    {
+      LIMPID_UNROLL(16)
+      for (int i = 0; i < count; ++i)
+      {
+        add(i, colorOf(i));
+      }
+      return;
+    }
+    const SegmentTints<AnySampler> tints(scene, ray, 0.5f * this->distance.Sum());
+    LIMPID_UNROLL(16)
+    for (int i = 0; i < count; ++i)
+    {
+      add(i, tints.Over(i, factorOf(i), colorOf(i)));
+    }
   }
 
   /// Adds the segments to a pixel, front to back: the sum of Eq. (6). A segment scatters extinction
   /// times colour, Eq. (3).
-  template <bool Lit, bool Tinted>
   LIMPID_HD LIMPID_INLINE void AddTo(
-    const RayScene& scene, const Ray& ray, Pixel<Optical>& pixel) const
+    const RayScene& scene, const Ray& ray, const RayLook& look, Pixel<Optical>& pixel) const
   {
     const Segment<Lanes> segment(this->Depth(scene));
-    const Lanes sent = Lit ? segment.absorbed *
+    const Lanes sent = look.lit ? segment.absorbed *
         scene.light.Sent(segment.Mean(this->scattered.front, this->scattered.rear),
           segment.Mean(this->arriving.front, this->arriving.rear))
-                           : segment.absorbed;
+                                : segment.absorbed;
     const Lanes inFront =
       AnySampler::InFront(segment.passed, scene.opaqueBelow, pixel.transmittance);
     const Lanes given = sent * Select(inFront > scene.opaqueBelow, inFront, 0.0f);
     const Lanes ofValues = given * this->mean.ofValues;
     const Lanes ofIntegrals = given * this->mean.ofIntegrals;
-    const auto tints = this->template Tints<Tinted>(scene, ray);
     Optical sum = pixel.light;
-    LIMPID_UNROLL(16)
-    for (int i = 0; i < count; ++i)
-    {
-      const Optical color = this->optics.Color(i, LaneOf(ofValues, i), LaneOf(ofIntegrals, i));
-      sum = sum + tints.Over(i, LaneOf(given, i), color);
-    }
+    this->ForColors(
+      scene, ray, look.tinted,
+      [&](int i) LIMPID_INLINE_LAMBDA
+      { return this->optics.Color(i, LaneOf(ofValues, i), LaneOf(ofIntegrals, i)); },
+      [&](int i) LIMPID_INLINE_LAMBDA { return LaneOf(given, i); },
+      [&](int, const Optical& color) LIMPID_INLINE_LAMBDA { sum = sum + color; });
     pixel.light = sum;
   }
 

@@ -132,9 +132,24 @@ struct DrawnPixel
 
   LIMPID_HD LIMPID_INLINE void operator()(int column, int row) const
   {
-    this->rays.template Draw<FourFloats>(column, row,
-      [this](const Ray& ray, Pixel<FourFloats>& pixel)
-      { TraceAs<compositing, SingleSampler, Lit, Overlaid, Tinted>(this->scene, ray, pixel); });
+    this->rays.template Draw<FourFloats>(
+      column, row, [this](const Ray& ray, Pixel<FourFloats>& pixel) { this->Trace(ray, pixel); });
+  }
+
+private:
+  LIMPID_HD LIMPID_INLINE void Trace(const Ray& ray, Pixel<FourFloats>& pixel) const
+  {
+    constexpr RayLook look{ Lit, Tinted };
+    switch (compositing)
+    {
+      case Compositing::FrontToBack:
+        return TraceRay<SingleSampler, Overlaid>(this->scene, ray, look, pixel);
+      case Compositing::FromObject:
+        return TraceRay<SingleSampler, Overlaid>(
+          this->scene, PartFromObject<SingleSampler>(this->scene, ray), look, pixel);
+      case Compositing::ImportanceMean:
+        return TraceMean<SingleSampler, Overlaid>(this->scene, ray, look, pixel);
+    }
   }
 };
 

@@ -46,8 +46,7 @@ LIMPID_HD LIMPID_INLINE StructureRow RowInCell(
 }
 
 /// The colours of the structures in which the middles of segments lie, see RayScene::tints.
-/// `Tinted`: whether there are any.
-template <class AnySampler, bool Tinted>
+template <class AnySampler>
 class SegmentTints
 {
 public:
@@ -78,21 +77,6 @@ public:
 
 private:
   Optical All[AnySampler::count];
-};
-
-/// Keeps the colours.
-template <class AnySampler>
-class SegmentTints<AnySampler, false>
-{
-public:
-  using Optical = typename AnySampler::Optical;
-
-  LIMPID_HD LIMPID_INLINE SegmentTints(
-    const RayScene&, const Ray&, const typename AnySampler::Lanes&)
-  {
-  }
-
-  LIMPID_HD LIMPID_INLINE Optical Over(int, float, const Optical& color) const { return color; }
 };
 }
 

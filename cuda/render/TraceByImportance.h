@@ -13,12 +13,11 @@
 namespace limpid
 {
 /**
- * Adds the part of a ray from its most important object on (RayObject) to a pixel, Eqs. (1) to (6).
- * Bricks without importance (scene.unimportant) contain no objects and are not read.
+ * Returns the part of a ray from its most important object on (RayObject). Bricks without
+ * importance (scene.unimportant) contain no objects and are not read.
  */
-template <class AnySampler, bool Lit, bool Overlaid, bool Tinted>
-LIMPID_HD LIMPID_INLINE void TraceFromObject(
-  const RayScene& scene, const Ray& ray, Pixel<typename AnySampler::Optical>& pixel)
+template <class AnySampler>
+LIMPID_HD LIMPID_INLINE Ray PartFromObject(const RayScene& scene, const Ray& ray)
 {
   const BrickWalk<Ray> walk(scene.unimportant, ray);
   RayObject object;
@@ -47,8 +46,7 @@ LIMPID_HD LIMPID_INLINE void TraceFromObject(
       object.Meet(LaneOf(place.distance, i), LaneOf(importance, i));
     }
   }
-  const Ray part = object.begin > 0.0f ? ray.From(object.begin) : ray;
-  TraceRay<AnySampler, Lit, Overlaid, Tinted>(scene, part, pixel);
+  return object.begin > 0.0f ? ray.From(object.begin) : ray;
 }
 
 /**
@@ -56,9 +54,9 @@ LIMPID_HD LIMPID_INLINE void TraceFromObject(
  * important structures, unimportant matter only contributes to the opacity: it is not lit, and
  * skipped if the pixel is opaque (scene.opaqueBelow).
  */
-template <class AnySampler, bool Lit, bool Overlaid, bool Tinted>
-LIMPID_HD LIMPID_INLINE void TraceMean(
-  const RayScene& scene, const Ray& ray, Pixel<typename AnySampler::Optical>& pixel)
+template <class AnySampler, bool Overlaid>
+LIMPID_HD LIMPID_INLINE void TraceMean(const RayScene& scene, const Ray& ray, const RayLook& look,
+  Pixel<typename AnySampler::Optical>& pixel)
 {
   const BrickWalk<Ray> filled(scene.bricks, ray);
   const BrickWalk<Ray> important(scene.unimportant, ray);
@@ -95,36 +93,19 @@ LIMPID_HD LIMPID_INLINE void TraceMean(
       }
       continue;
     }
-    if (Lit)
+    if (look.lit)
     {
       samples.Light(scene, ray);
     }
-    const auto tints = samples.template Tints<Tinted>(scene, ray);
-    const auto sent = Lit ? samples.SentOnAverage(scene) : typename AnySampler::Lanes(1.0f);
-    for (int i = 0; i < AnySampler::count; ++i)
-    {
-      mean.Add(0.5f * LaneOf(both, i), LaneOf(depth, i), LaneOf(sent, i),
-        tints.Over(i, 1.0f, samples.Color(i)));
-    }
+    const auto sent = look.lit ? samples.SentOnAverage(scene) : typename AnySampler::Lanes(1.0f);
+    samples.ForColors(
+      scene, ray, look.tinted, [&](int i) LIMPID_INLINE_LAMBDA { return samples.Color(i); },
+      [](int) LIMPID_INLINE_LAMBDA { return 1.0f; },
+      [&](int i, const auto& color) LIMPID_INLINE_LAMBDA
+      { mean.Add(0.5f * LaneOf(both, i), LaneOf(depth, i), LaneOf(sent, i), color); });
   }
   pixel.light = mean.Light();
   pixel.transmittance = mean.Transmittance();
-}
-
-/// Traces a ray by the given kind of compositing and adds it to a pixel.
-template <Compositing compositing, class AnySampler, bool Lit, bool Overlaid, bool Tinted>
-LIMPID_HD LIMPID_INLINE void TraceAs(
-  const RayScene& scene, const Ray& ray, Pixel<typename AnySampler::Optical>& pixel)
-{
-  switch (compositing)
-  {
-    case Compositing::FrontToBack:
-      return TraceRay<AnySampler, Lit, Overlaid, Tinted>(scene, ray, pixel);
-    case Compositing::FromObject:
-      return TraceFromObject<AnySampler, Lit, Overlaid, Tinted>(scene, ray, pixel);
-    case Compositing::ImportanceMean:
-      return TraceMean<AnySampler, Lit, Overlaid, Tinted>(scene, ray, pixel);
-  }
 }
 }
 

@@ -13,12 +13,11 @@ namespace limpid
  * AnySampler processes at a time, computes the extinction between them, lights them if there is
  * any, and adds the segments front to back until the pixel is opaque.
  *
- * `Lit`: whether there is scene.gradient; `Overlaid`: whether there is scene.overlay; `Tinted`:
- * whether there are scene.structures.
+ * `Overlaid`: whether there is scene.overlay.
  */
-template <class AnySampler, bool Lit, bool Overlaid, bool Tinted>
-LIMPID_HD LIMPID_INLINE void TraceRay(
-  const RayScene& scene, const Ray& ray, Pixel<typename AnySampler::Optical>& pixel)
+template <class AnySampler, bool Overlaid>
+LIMPID_HD LIMPID_INLINE void TraceRay(const RayScene& scene, const Ray& ray, const RayLook& look,
+  Pixel<typename AnySampler::Optical>& pixel)
 {
   const BrickWalk<Ray> walk(scene.bricks, ray);
   RaySamples<AnySampler, Overlaid> samples;
@@ -39,11 +38,11 @@ LIMPID_HD LIMPID_INLINE void TraceRay(
     samples.MoveOn(scene, ray, k);
     if (samples.Classify(scene))
     {
-      if (Lit)
+      if (look.lit)
       {
         samples.Light(scene, ray);
       }
-      samples.template AddTo<Lit, Tinted>(scene, ray, received);
+      samples.AddTo(scene, ray, look, received);
     }
   }
   pixel = received;
