@@ -88,10 +88,10 @@ struct ViewDerivativeStep
   RayStates rays;
   RaySlopes slopes;
   const float* columnSlope; ///< [ray]: a
-  bool parallel;
-  float frontDepth; ///< see ViewDerivativePlan, also for the next two
+  float pointEye;           ///< 1 for a point eye, 0 for a parallel one
+  float frontDepth;         ///< see ViewDerivativePlan, also for the next two
   float eyeDepth;
-  float inverseDistance;
+  float inverseDistance; ///< 0 for a point eye
   EyeMove moves[2];
 
   LIMPID_HD LIMPID_INLINE void operator()(
@@ -122,6 +122,7 @@ struct ViewDerivativeStep
     float inverse[2];
     const Range<float> whole = Inside(inside, 0, layer.thickness);
     const float begin = whole.begin;
+    LIMPID_UNROLL(2)
     for (int half = 0; half < 2; ++half)
     {
       const Range<float>& part = halves[half];
@@ -129,26 +130,28 @@ struct ViewDerivativeStep
       deepened[half] =
         tau + length * stop[half] * (extinction.At(begin) + 0.5f * stop[half] * extinction.slope);
       const float distance = layer.front + begin + stop[half] + this->eyeDepth; // 0 at the eye
-      inverse[half] =
-        this->parallel ? length * this->inverseDistance : 1.0f / Most(distance, 1e-6f);
+      inverse[half] = length * this->inverseDistance + this->pointEye / Most(distance, 1e-6f);
     }
     const bool enters = entry >= layer.front && entry < layer.front + layer.thickness;
     const float step = enters ? Most(extinction.At(inside.begin), 0.0f) : 0.0f;
     const float way = whole.Length();
+    LIMPID_UNROLL(2)
     for (const EyeMove& move : this->moves)
     {
       const float across = move.across - this->columnSlope[i] * move.depth;
       const Line slope(layer,
         length * (across * this->slopes.across[0][i] + move.down * this->slopes.down[0][i]),
         length * (across * this->slopes.across[1][i] + move.down * this->slopes.down[1][i]));
+      const float throughSide = move.side[i]; // loaded in any case, so that rays fill registers
       const float through = side > this->frontDepth
-        ? (here.column.begin > here.row.begin ? move.side[i] : move.row * length)
+        ? (here.column.begin > here.row.begin ? throughSide : move.row * length)
         : move.front * length;
       const float integral = move.integral[i] + step * through;
       const float moment = move.moment[i] + step * through * entry;
       const float first = slope.At(begin);
       const float at = layer.front + begin;
       float gain = 0;
+      LIMPID_UNROLL(2)
       for (int half = 0; half < 2; ++half)
       {
         const float s = stop[half];
@@ -267,8 +270,9 @@ struct ViewDerivativeKernel
       rays.SampleImportance(this->importance);
       rays.SampleExtinctionAndSlopes(this->extinction);
       rays.ForEachClipped(ViewDerivativeStep{ rays.States(), rays.Slopes(),
-        this->plan.Row(this->plan.columnSlope) + column, this->plan.parallel, this->plan.front,
-        this->plan.depth, this->plan.inverse, { moves[0], moves[1] } });
+        this->plan.Row(this->plan.columnSlope) + column, this->plan.parallel ? 0.0f : 1.0f,
+        this->plan.front, this->plan.depth, this->plan.parallel ? this->plan.inverse : 0.0f,
+        { moves[0], moves[1] } });
     }
   }
 
