@@ -134,8 +134,8 @@ TEST(HalfLayer, ClippedHalvesAddUpToTheWayInside)
       double opticalDepth = 0;
       for (const int half : { 0, 1 })
       {
-        opticalDepth +=
-          ClippedHalf<double>(layer, RangeOfHalf(half), 2.0, 0.5, 1.0, column, row).opticalDepth;
+        const Range<float> part = ClippedRange(layer, RangeOfHalf(half), column, row);
+        opticalDepth += ClippedHalf<double>(layer, part, 2.0, 0.5, 1.0).opticalDepth;
       }
 
       const double entry = std::max({ 10.0, double(column.begin), double(row.begin) });

@@ -113,23 +113,22 @@ LIMPID_HD LIMPID_INLINE Range<float> ClippedRange(
   const float entry =
     ((column.begin > row.begin ? column.begin : row.begin) - layer.front) * inverse;
   const float exit = ((column.end < row.end ? column.end : row.end) - layer.front) * inverse;
-  const float begin = entry > half.begin ? (entry < half.end ? entry : half.end) : half.begin;
+  const float notBefore = entry > half.begin ? entry : half.begin;
+  const float begin = notBefore < half.end ? notBefore : half.end;
   const float last = exit < half.end ? exit : half.end;
   return { begin, last > begin ? last : begin };
 }
 
-/// Evaluates the part of a half inside the box. Extinction and importance are the values at the
-/// Gauss point; if that lies outside the box, at the nearest point of its border.
+/// Evaluates a part of a half, given as fractions of the layer's thickness. Extinction and
+/// importance are the values at the Gauss point of the half; if that lies outside the box, at the
+/// nearest point of its border.
 template <class Real>
-LIMPID_HD LIMPID_INLINE HalfLayer<Real> ClippedHalf(const Layer& layer, const Range<float>& half,
-  Real length, Real extinction, Real importance, const Range<float>& column,
-  const Range<float>& row)
+LIMPID_HD LIMPID_INLINE HalfLayer<Real> ClippedHalf(
+  const Layer& layer, const Range<float>& part, Real length, Real extinction, Real importance)
 {
-  const Range<float> inside = ClippedRange(layer, half, column, row);
   const Real widening = layer.backScale - layer.frontScale;
-  return HalfLayer<Real>((inside.end - inside.begin) * layer.thickness * length, extinction,
-    importance, layer.frontScale + inside.begin * widening,
-    layer.frontScale + inside.end * widening);
+  return HalfLayer<Real>((part.end - part.begin) * layer.thickness * length, extinction, importance,
+    layer.frontScale + part.begin * widening, layer.frontScale + part.end * widening);
 }
 }
 

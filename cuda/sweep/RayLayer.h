@@ -18,24 +18,36 @@ enum class Cut
   Both
 };
 
-/// Returns the half of a layer, clipped as `cut` says.
+/// Returns the part of a half, as fractions of the layer's thickness, clipped as `cut` says. An end
+/// that does not clip is not computed: compilers vectorise no selection by a condition that all
+/// rays share.
 template <Cut cut>
-LIMPID_HD LIMPID_INLINE HalfLayer<float> CutHalf(const Layer& layer, int half, float length,
-  float extinction, float importance, Range<float> column, Range<float> row)
+LIMPID_HD LIMPID_INLINE Range<float> CutRange(
+  const Layer& layer, const Range<float>& half, const Range<float>& column, const Range<float>& row)
 {
-  constexpr float always = 1e30f;
+  if (cut == Cut::Both)
+  {
+    return ClippedRange(layer, half, column, row);
+  }
+  const float inverse = 1.0f / layer.thickness;
+  const float entry = column.begin > row.begin ? column.begin : row.begin;
   if (cut == Cut::Entry)
   {
-    column.end = row.end = always;
+    return { Clamp((entry - layer.front) * inverse, half.begin, half.end), half.end };
   }
-  if (cut == Cut::Exit)
-  {
-    const float entry = column.begin > row.begin ? column.begin : row.begin;
-    const float exit = column.end < row.end ? column.end : row.end;
-    row.end = entry < exit ? row.end : -always; // a ray that misses the box crosses nothing
-    column.begin = row.begin = -always;
-  }
-  return ClippedHalf<float>(layer, RangeOfHalf(half), length, extinction, importance, column, row);
+  const float exit = column.end < row.end ? column.end : row.end;
+  constexpr float never = -1e30f; // a ray that misses the box crosses nothing
+  const float end = entry < exit ? exit : never;
+  return { half.begin, Clamp((end - layer.front) * inverse, half.begin, half.end) };
+}
+
+/// Evaluates a half of a layer, clipped as `cut` says.
+template <Cut cut>
+LIMPID_HD LIMPID_INLINE HalfLayer<float> CutHalf(const Layer& layer, int half, float length,
+  float extinction, float importance, const Range<float>& column, const Range<float>& row)
+{
+  return ClippedHalf<float>(
+    layer, CutRange<cut>(layer, RangeOfHalf(half), column, row), length, extinction, importance);
 }
 
 /// Whether a ray is inside the box throughout a layer.

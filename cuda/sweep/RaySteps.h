@@ -92,8 +92,10 @@ struct CarryStep
   {
     const TwoHalves inside = TwoHalves::Inside(here);
     const TwoHalves toExit = TwoHalves::ToExit(here);
-    const bool enters = passage == LayerCrossing::Clipped &&
-      !HasEntered(this->rays[RayChannel::Visible][i]) && here.Entry() >= here.layer.front;
+    // Selections by one condition each, see WeighStep.
+    constexpr float never = -1e30f;
+    const float entry = HasEntered(this->rays[RayChannel::Visible][i]) ? never : here.Entry();
+    const bool enters = passage == LayerCrossing::Clipped && entry >= here.layer.front;
     Carry<passage>(inside, toExit, enters, this->rays[RayChannel::Behind][i],
       this->rays[RayChannel::Visible][i], this->rays[RayChannel::Unattenuated][i]);
     if (kept == Kept::Counted)
@@ -189,12 +191,14 @@ struct WeighStep
     const float shown = this->rays[RayChannel::Transmittance][i] * (behind - alternative);
     const bool pays = shown > cost;
     const float reach = this->rays[RayChannel::Reach][i];
-    const bool nearer =
-      !pays && this->slice < reach && shown > least * here.layer.frontScale * here.layer.frontScale;
+    // One selection after the other: compilers do not vectorise those by several conditions.
+    const float nearer = this->slice < reach ? this->slice : reach;
+    const float smallest = least * here.layer.frontScale * here.layer.frontScale;
+    const float reachIfNot = shown > smallest ? nearer : reach;
     this->rays[RayChannel::Behind][i] = pays ? behind : alternative;
     this->rays[RayChannel::AlternativeBehind][i] = alternative;
     this->rays[RayChannel::Cost][i] = pays ? cost : 0.0f;
-    this->rays[RayChannel::Reach][i] = nearer ? this->slice : reach;
+    this->rays[RayChannel::Reach][i] = pays ? reach : reachIfNot;
     this->rays[RayDepth::Collected][i] += here.DepthFromEntry();
   }
 

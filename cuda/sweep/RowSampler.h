@@ -72,6 +72,7 @@ void StepThroughLayer(const RayRow& row, const Step& step)
         { through.end, rays.columns.end } };
       for (const Range<int>& part : clipped)
       {
+        LIMPID_IVDEP
         for (int i = part.begin; i < part.end; ++i)
         {
           body(rays.template At<LayerCrossing::Clipped>(i), i);
