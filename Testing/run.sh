@@ -14,6 +14,7 @@ if [[ "${1:-}" == --long ]]; then
   long=1
   shift
 fi
+export LIMPID_TEST_LONG="$long" # some quick tests then take whole scenes
 
 bash "$root/Testing/build.sh" --tests
 

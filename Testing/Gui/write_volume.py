@@ -21,7 +21,7 @@ def every_second_point_of(volume):
     reader.SetFileName(volume)
     sampled = vtkExtractVOI()
     sampled.SetInputConnection(reader.GetOutputPort())
-    sampled.SetSampleRate(2, 2, 2)
+    sampled.SetSampleRate(4, 4, 4)
     sampled.Update()
     return sampled.GetOutput()
 

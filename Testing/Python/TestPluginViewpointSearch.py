@@ -43,8 +43,8 @@ class TestPluginViewpointSearch(unittest.TestCase):
         for field in ("Attainable", "Importance Proxy", "Base Extinction", "Extinction Array",
                       "Optimize Per View"):
             for sampling in ("Icosphere", "Fibonacci", "Latitude-Longitude"):
-                search = ViewpointSearch(Input=OcclusionPhantom(Resolution=12),
-                                         NumberOfDirections=12, Field=field, Sampling=sampling)
+                search = ViewpointSearch(Input=OcclusionPhantom(Resolution=8), NumberOfDirections=12,
+                                         Field=field, Sampling=sampling, Refine=0)
                 search.UpdatePipeline()
                 self.assertGreater(search.PointData["VisibilityScore"].GetRange()[0], 0)
 
