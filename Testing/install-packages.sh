@@ -24,7 +24,7 @@ packages=(
 with_own_vtk=(libglew-dev libfreetype-dev)
 with_debians_vtk=(libvtk9-dev)
 # the parts for ParaView's window (optional, see LIMPID_ENABLE_GUI)
-with_qt5=(qtbase5-dev libqt5opengl5-dev qttools5-dev)
+with_qt5=(qtbase5-dev libqt5opengl5-dev qttools5-dev qtxmlpatterns5-dev-tools)
 with_qt6=(qt6-base-dev qt6-tools-dev qt6-5compat-dev)
 with_qt6_and_debians_vtk=(libvtk9-qt-dev)
 
