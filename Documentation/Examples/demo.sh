@@ -75,7 +75,7 @@ with_progress() {
   wait "$command"
 }
 
-echo "1 of 2: installing what is missing and building. The first time, this takes 5 to 10 minutes on two" \
+echo "1 of 2: installing what is missing and building. The first time, this takes 3 to 6 minutes on two" \
   "cores (details in $output/build.log)."
 with_progress "$output/build.log" bash "$root/Testing/build.sh" || {
   tail -40 "$output/build.log" >&2

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace limpid
 {
@@ -174,6 +175,68 @@ void PlaceRow(const RayLine* __restrict lines, double relativeDepth, int nodes,
   }
 }
 
+/// Splits values of rays between the two voxels beside them, by the hat functions of these.
+/// `positions`: see PlaceRow; `before`: in: the values; out: the parts of the voxels before the
+/// rays.
+LIMPID_MULTIVERSION
+void SplitRow(const float* __restrict positions, const Range<int>& columns,
+  float* __restrict before, float* __restrict behind)
+{
+  const int end = columns.end;
+  for (int i = columns.begin; i < end; ++i)
+  {
+    const float position = positions[i];
+    const float value = before[i];
+    const auto voxel = static_cast<float>(static_cast<int>(position));
+    before[i] = (1.0f - (position - voxel)) * value;
+    behind[i] = (1.0f - ((voxel + 1.0f) - position)) * value;
+  }
+}
+
+/// Sums what SplitRow has split at each voxel. Rays ascend, so that only two sums are open at a
+/// time.
+void SumPairs(const float* positions, const float* before, const float* behind,
+  const Range<int>& rays, const Range<int>& voxels, float* sums)
+{
+  int voxel = voxels.begin - 1;
+  float here = 0;
+  float next = 0;
+  const auto advanceTo = [&](int end) LIMPID_INLINE_LAMBDA
+  {
+    for (; voxel < end; ++voxel)
+    {
+      if (voxel >= voxels.begin)
+      {
+        sums[voxel] = here;
+      }
+      here = std::exchange(next, 0.0f);
+    }
+  };
+  for (int i = rays.begin; i < rays.end; ++i)
+  {
+    const int place = static_cast<int>(positions[i]);
+    advanceTo(std::min(place, voxels.end));
+    if (place == voxel)
+    {
+      here += before[i];
+      next += behind[i];
+    }
+  }
+  advanceTo(voxels.end);
+}
+
+/// Multiplies by a common factor and one of each voxel.
+LIMPID_MULTIVERSION
+void ScaleRow(
+  float* __restrict values, const float* __restrict factors, float factor, const Range<int>& voxels)
+{
+  const int end = voxels.end;
+  for (int u = voxels.begin; u < end; ++u)
+  {
+    values[u] = factor * factors[u] * values[u];
+  }
+}
+
 /// Turns density into transmittance, for voxels whose rays enter through a side.
 struct TransmitFromDensity
 {
@@ -274,18 +337,10 @@ bool VoxelRow::FindEffect(const RaysBeside& rays)
   }
   WeighRow(sum, plan.Row(plan.columnShare), read);
   PlaceRow(plan.Row(plan.columnLines), depth, plan.nodesU, read, positions);
+  SplitRow(positions, read, sum, this->Memory.rays[2]);
+  SumPairs(positions, sum, this->Memory.rays[2], read, this->Active, this->Means.behind);
   const float gain = this->Here.hatGain * plan.Row(plan.rowHatGain, this->S)[this->V];
-  const float* gains = plan.Row(plan.columnHatGain, this->S);
-  for (int u = this->Active.begin; u < this->Active.end; ++u)
-  {
-    const Range<int> about = plan.ColumnsAbout(this->S, u);
-    float effect = 0;
-    for (int i = about.begin; i < about.end; ++i)
-    {
-      effect += AtLeast(1.0f - Magnitude(positions[i] - static_cast<float>(u)), 0.0f) * sum[i];
-    }
-    this->Means.behind[u] = gain * gains[u] * effect;
-  }
+  ScaleRow(this->Means.behind, plan.Row(plan.columnHatGain, this->S), gain, this->Active);
   return true;
 }
 
