@@ -24,7 +24,7 @@ from .previous import Memory, Previous
 from .progress import report_to
 from .scene import scene_of
 from .settings import Settings, SettingsByName
-from .storage import Path, reads, write
+from .storage import Saved, reads
 from .structures import StructureShares, settings_for, targets_by_label
 from .views import Camera, camera_of, light_of
 
@@ -57,7 +57,7 @@ IN_HEADER = (*FIELD_DATA, "unit_distance", "settled", "control_factor", "targets
 
 
 @dataclasses.dataclass(frozen=True, repr=False, eq=False)
-class Optimization:
+class Optimization(Saved):
     """What `optimize` has found.
 
     Arrays have the shape and the order in memory of the input. For an image they are flat, x
@@ -218,33 +218,18 @@ class Optimization:
         view = self.camera if camera is None else camera_of(camera, self.memory.grid)
         return preview.draw(extinction, view, size)
 
-    def save(self, path: Path, *, compress: bool = True) -> None:
-        """Writes the result to a file that `load` reads.
+    KIND = "Optimization"
 
-        The file is an archive of numpy (npz): the arrays with the names of the attributes, and a
-        header in JSON named "limpid" with all numbers.
-
-        Parameters
-        ----------
-        path : str or os.PathLike
-            The name of the file, as it is; an existing file is replaced.
-        compress : bool, default True
-            Whether to compress the arrays, which takes longer.
-
-        Raises
-        ------
-        OSError
-            The file cannot be written.
-        """
+    def _contents(self) -> tuple[dict[str, Any], dict[str, Any]]:
         preview = self.preview
         header = {name: getattr(self, name) for name in IN_HEADER}
         header.update(camera=dataclasses.asdict(self.camera), memory=self.memory.as_header(),
                       steps=preview.steps, structures=None if self.structures is None else
                       [shares.as_header() for shares in self.structures.values()])
-        write(path, "Optimization", header,
-              {"extinction": self.extinction, "light_extinction": self.light_extinction,
-               "convergence": self.convergence, "preview_extinction": preview.base_extinction,
-               "preview_importance": preview.importance}, compress)
+        return header, {
+            "extinction": self.extinction, "light_extinction": self.light_extinction,
+            "convergence": self.convergence, "preview_extinction": preview.base_extinction,
+            "preview_importance": preview.importance}
 
     def __repr__(self) -> str:
         return (f"<limpid.Optimization of {' x '.join(map(str, self.dimensions))} points: "
@@ -271,7 +256,7 @@ class Optimization:
                 f"{html.escape(self.backend)}</div>")
 
 
-@reads("Optimization")
+@reads(Optimization.KIND)
 def optimization_from(header: dict[str, Any],
                       arrays: Mapping[str, npt.NDArray[Any]]) -> Optimization:
     """A result from the header and the arrays of a file."""

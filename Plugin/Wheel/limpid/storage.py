@@ -5,10 +5,11 @@
 
 from __future__ import annotations
 
+import abc
 import json
 import os
 import zipfile
-from typing import Any, Callable, Mapping, TypeVar, Union
+from typing import Any, Callable, ClassVar, Mapping, TypeVar, Union
 
 import numpy as np
 import numpy.typing as npt
@@ -34,17 +35,39 @@ def reads(kind: str) -> Callable[[Callable[[dict[str, Any], Arrays], Loaded]],
     return register
 
 
-def write(path: Path, kind: str, header: Mapping[str, Any], arrays: Mapping[str, Any],
-          compress: bool) -> None:
-    """Writes a file of exactly this name.
+class Saved(abc.ABC):
+    """A result that has a file format."""
 
-    header: what JSON can have; arrays: None is left out.
-    """
-    text = json.dumps({"kind": kind, "version": VERSION, **header})
-    there = {name: array for name, array in arrays.items() if array is not None}
-    store = np.savez_compressed if compress else np.savez
-    with open(path, "wb") as file:
-        store(file, **{HEADER: np.array(text), **there})
+    KIND: ClassVar[str]
+
+    @abc.abstractmethod
+    def _contents(self) -> tuple[dict[str, Any], dict[str, Any]]:
+        """The header, of what JSON can have, and the arrays; None is left out."""
+
+    def save(self, path: Path, *, compress: bool = True) -> None:
+        """Writes the result to a file that `load` reads.
+
+        The file is an archive of numpy (npz): the arrays with the names of the attributes, and a
+        header in JSON named "limpid" with all numbers.
+
+        Parameters
+        ----------
+        path : str or os.PathLike
+            The name of the file, as it is; an existing file is replaced.
+        compress : bool, default True
+            Whether to compress the arrays, which takes longer.
+
+        Raises
+        ------
+        OSError
+            The file cannot be written.
+        """
+        header, arrays = self._contents()
+        text = json.dumps({"kind": self.KIND, "version": VERSION, **header})
+        there = {name: array for name, array in arrays.items() if array is not None}
+        store = np.savez_compressed if compress else np.savez
+        with open(path, "wb") as file:
+            store(file, **{HEADER: np.array(text), **there})
 
 
 def load(path: Path) -> Any:

@@ -25,7 +25,7 @@ from .preview import Preview
 from .progress import report_to
 from .scene import Scene, scene_of
 from .settings import Settings
-from .storage import Path, reads, write
+from .storage import Saved, reads
 from .structures import settings_for
 from .views import Camera, CameraPosition
 
@@ -82,7 +82,7 @@ class Viewpoint(CameraPosition):
 
 
 @dataclasses.dataclass(frozen=True, repr=False, eq=False)
-class Viewpoints:
+class Viewpoints(Saved):
     """What `viewpoints` has found. Its items are the ranked viewpoints, best first.
 
     In a notebook, it shows itself as a table with pictures of the important structures.
@@ -180,36 +180,20 @@ class Viewpoints:
         return self.preview.draw(self.preview.important(),
                                  Camera(**{name: getattr(one, name) for name in names}), size)
 
-    def save(self, path: Path, *, compress: bool = True) -> None:
-        """Writes the result to a file that `load` reads.
+    KIND = "Viewpoints"
 
-        The file is an archive of numpy (npz): the arrays with the names of the attributes, and a
-        header in JSON named "limpid" with all numbers.
-
-        Parameters
-        ----------
-        path : str or os.PathLike
-            The name of the file, as it is; an existing file is replaced.
-        compress : bool, default True
-            Whether to compress the arrays.
-
-        Raises
-        ------
-        OSError
-            The file cannot be written.
-        """
+    def _contents(self) -> tuple[dict[str, Any], dict[str, Any]]:
         preview = self.preview
         grid = {field.name: np.asarray(getattr(preview.grid, field.name)).tolist()
                 for field in dataclasses.fields(preview.grid)}
         header = {name: getattr(self, name) for name in ("evaluations", "seconds", "backend")}
-        write(path, "Viewpoints", {
-            **header, "grid": grid, "steps": preview.steps,
-            "viewpoints": [dataclasses.asdict(one) for one in self.viewpoints]},
-            {"directions": self.directions, "triangles": self.triangles,
-             "visibility_scores": self.visibility_scores,
-             "visible_fractions": self.visible_fractions,
-             "preview_extinction": preview.base_extinction,
-             "preview_importance": preview.importance}, compress)
+        header.update(grid=grid, steps=preview.steps,
+                      viewpoints=[dataclasses.asdict(one) for one in self.viewpoints])
+        return header, {
+            "directions": self.directions, "triangles": self.triangles,
+            "visibility_scores": self.visibility_scores,
+            "visible_fractions": self.visible_fractions,
+            "preview_extinction": preview.base_extinction, "preview_importance": preview.importance}
 
     def _repr_html_(self) -> str:
         """What a notebook shows."""
@@ -355,7 +339,7 @@ class SearchSettingsByName(TypedDict, total=False):
     backend: Literal["auto", "cpu", "cuda"]
 
 
-@reads("Viewpoints")
+@reads(Viewpoints.KIND)
 def viewpoints_from(header: dict[str, Any], arrays: Mapping[str, npt.NDArray[Any]]) -> Viewpoints:
     """A result from the header and the arrays of a file."""
     one: dict[str, Any]
