@@ -76,6 +76,7 @@ public:
     this->OnHost.clear();
     if (this->Refines())
     {
+      this->FreeWhatSweepsNeed();
       if (this->DescendsFromBase() && !this->Given->IsSmall() && !this->HasBranched)
       {
         this->HasBranched = true;
@@ -387,9 +388,9 @@ private:
 
   IterationRecord StepResiliently(double smoothing)
   {
-    const std::size_t free = this->FreeIterate();
+    const std::size_t place = this->PlaceOfStep();
     const float* last = this->Iterates[this->Now].values;
-    limpid::Iterate<AnyDevice>& next = this->Iterates[free];
+    limpid::Iterate<AnyDevice>& next = this->Iterates[place];
     this->Allocate(next);
     if (!this->IsRefining)
     {
@@ -397,7 +398,7 @@ private:
       this->IsRefining = true;
     }
     const IterationRecord record = this->Resilient.Step(last, next.own.Data(), smoothing);
-    this->Now = free;
+    this->Now = place;
     this->LastEnergy = record.energy.Total();
     this->Change = record.meanChange;
     this->Lagged.Outdate();
@@ -445,6 +446,28 @@ private:
       ++free;
     }
     return free;
+  }
+
+  /// Returns the index of the iterate that a resilient step writes: the last one, unless that is
+  /// needed.
+  std::size_t PlaceOfStep() const
+  {
+    const bool isNeeded = this->Now == this->BestOf || this->Now == this->BranchedAt ||
+      this->Iterates[this->Now].own.Empty();
+    return isNeeded ? this->FreeIterate() : this->Now;
+  }
+
+  /// Frees what resilient steps do not need, since they have fields of their own.
+  void FreeWhatSweepsNeed()
+  {
+    this->Lagged.Clear();
+    for (std::size_t i = 0; i < this->Iterates.size(); ++i)
+    {
+      if (i != this->Now && i != this->BestOf)
+      {
+        this->Iterates[i] = {};
+      }
+    }
   }
 
   /// Makes a policy sweep to the next iterate, and returns its record.

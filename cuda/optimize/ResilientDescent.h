@@ -65,12 +65,15 @@ public:
     this->Energy->Differentiate(extinction, this->Gradient.Data());
   }
 
-  /// Performs the step from the last extinction to the next and returns its record. `smoothing`:
-  /// sigma of SmoothedChange [length]; 0 for no smoothing.
+  /// Performs the step from the last extinction to the next, which may be the same array, and
+  /// returns its record. `smoothing`: sigma of SmoothedChange [length]; 0 for no smoothing.
   IterationRecord Step(const float* last, float* next, double smoothing)
   {
-    this->Device->Copy(next + this->Own.Begin(), last + this->Own.Begin(),
-      std::size_t(this->Own.Count()) * sizeof(float));
+    if (next != last)
+    {
+      this->Device->Copy(next + this->Own.Begin(), last + this->Own.Begin(),
+        std::size_t(this->Own.Count()) * sizeof(float));
+    }
     if (smoothing > 0)
     {
       limpid::FindPull(*this->Device,
