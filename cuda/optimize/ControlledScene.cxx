@@ -80,13 +80,8 @@ CarriedExtinction ControlledScene::ExtinctionOnData(const Solver& found) const
 
 std::unique_ptr<Solver> ControlledScene::OnData(const Solver& found) const
 {
-  Settings settings = found.Options();
-  settings.maximumIterations = 0;
-  settings.iterationsPerLevel = { { 0, 0, 0 } };
-  CarriedExtinction applied = this->ExtinctionOnData(found);
-  auto solver =
-    std::make_unique<Solver>(this->Prepared, found.MainCamera(), found.OnlyLight(), settings);
-  solver->SetInitialExtinction(std::move(applied));
+  auto solver = std::make_unique<Solver>(this->Prepared, found.MainCamera(), found.OnlyLight(),
+    found.Options(), this->ExtinctionOnData(found));
   solver->Run();
   return solver;
 }

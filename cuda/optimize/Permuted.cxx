@@ -175,6 +175,10 @@ Problem Reordered(const Problem& problem, const AxisPermutation& order)
 
 AxisPermutation OrderFor(const Problem& problem)
 {
+  if (problem.isMeasuredOnly)
+  {
+    return {};
+  }
   const Weights& weights = problem.settings.weights;
   const int camera = DepthAxisOf(problem.Camera(), problem.grid);
   const int light = DepthAxisOf(problem.Light(), problem.grid);

@@ -71,8 +71,9 @@ struct Problem
   bool forLight =
     false; ///< whether a method that distinguishes them should compute the extinction for the light
   Settings settings;
-  bool fine = false;       ///< whether scores and ceilings resolve layers by FineCuts
-  bool tellsScores = true; ///< whether iterations measure scores, see SeesWhatScoresAreOf
+  bool fine = false;           ///< whether scores and ceilings resolve layers by FineCuts
+  bool tellsScores = true;     ///< whether iterations measure scores, see SeesWhatScoresAreOf
+  bool isMeasuredOnly = false; ///< whether there are no iterations: other axes would not pay
 
   const RaySource& Camera() const { return this->sources.front().rays; } ///< the main camera
   const RaySource& Light() const { return this->sources.back().rays; }

@@ -30,13 +30,29 @@ Solver::Solver(std::shared_ptr<PreparedScene> scene, const Camera& camera, const
   this->State->OnBackend([this] { this->State->Begin(); });
 }
 
+Solver::Solver(std::shared_ptr<PreparedScene> scene, const Camera& camera, const Light& light,
+  const Settings& settings, CarriedExtinction&& measured)
+  : State(std::make_unique<Internals>())
+{
+  Settings wanted = settings;
+  wanted.maximumIterations = 0;
+  wanted.iterationsPerLevel = { { 0, 0, 0 } };
+  RequireSettings(wanted);
+  this->State->prepared = std::move(scene);
+  this->State->Set(camera, light, wanted, {}, {});
+  this->State->onlyMeasures = true;
+  this->State->StartFrom(std::move(measured));
+  this->State->OnBackend([this] { this->State->Begin(); });
+}
+
 Solver::~Solver() = default;
 Solver::Solver(Solver&&) noexcept = default;
 Solver& Solver::operator=(Solver&&) noexcept = default;
 
 void Solver::SetInitialExtinction(const float* extinction, const float* light)
 {
-  const Index count = this->State->scene.ValueCount();
+  Internals& state = *this->State;
+  const Index count = state.scene.ValueCount();
   CarriedExtinction start;
   start.extinction.assign(extinction, extinction + count);
   start.hasLight = light != nullptr;
@@ -44,25 +60,7 @@ void Solver::SetInitialExtinction(const float* extinction, const float* light)
   {
     start.light.assign(light, light + count);
   }
-  this->SetInitialExtinction(std::move(start));
-}
-
-void Solver::SetInitialExtinction(CarriedExtinction&& start)
-{
-  Internals& state = *this->State;
-  LIMPID_REQUIRE(state.Minimizes(),
-    "An initial extinction was given to "
-      << InfoOf(state.settings.method).name
-      << " (this method does not iterate). Use the method Optimized.");
-  LIMPID_REQUIRE(start.hasLight || state.settings.mode == Mode::Joint,
-    "An initial extinction was given in separate mode (this mode optimises two extinctions). Use "
-    "the joint mode.");
-  state.initial = std::move(start.extinction);
-  if (start.hasLight)
-  {
-    state.initialLight = std::move(start.light);
-  }
-  state.warm = true;
+  state.StartFrom(std::move(start));
   state.OnBackend([&state] { state.Begin(); });
 }
 

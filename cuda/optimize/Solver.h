@@ -41,6 +41,10 @@ public:
   Solver(std::shared_ptr<PreparedScene> scene, const Camera& camera, const Light& light,
     const Settings& settings, const CarriedChange& previous = {},
     const FoundExtinctions& found = {});
+
+  /// Measures an extinction: Run makes no iterations, whatever the settings say.
+  Solver(std::shared_ptr<PreparedScene> scene, const Camera& camera, const Light& light,
+    const Settings& settings, CarriedExtinction&& measured);
   ~Solver();
   Solver(Solver&&) noexcept;
   Solver& operator=(Solver&&) noexcept;
@@ -48,9 +52,6 @@ public:
   /// Starts from this extinction instead of the base extinction: grid.NodeCount() values, clamped
   /// to their bounds [1/length]. `light`: that for the light, which separate mode needs.
   void SetInitialExtinction(const float* extinction, const float* light = nullptr);
-
-  /// Does the same with an extinction that is moved.
-  void SetInitialExtinction(CarriedExtinction&& start);
 
   /// Runs up to `iterations` more iterations. Returns whether nothing is left to do: converged,
   /// out of iterations or time, or stopped by `progress`. After an exception the solver must not

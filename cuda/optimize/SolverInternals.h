@@ -68,6 +68,7 @@ struct Solver::Internals
   bool stopped = false;
   bool settled = false;
   bool warm = false;
+  bool onlyMeasures = false; ///< whether runs make no iterations
 
   /// `found`: see Solver.
   void Set(const Camera& eye, const Light& lamp, const Settings& wanted,
@@ -81,6 +82,24 @@ struct Solver::Internals
     this->light = lamp;
     this->settings = wanted;
     this->backend.Choose(wanted, *this->prepared);
+  }
+
+  /// Sets the first iterate, instead of the base extinction.
+  void StartFrom(CarriedExtinction&& start)
+  {
+    LIMPID_REQUIRE(this->Minimizes(),
+      "An initial extinction was given to "
+        << InfoOf(this->settings.method).name
+        << " (this method does not iterate). Use the method Optimized.");
+    LIMPID_REQUIRE(start.hasLight || this->settings.mode == Mode::Joint,
+      "An initial extinction was given in separate mode (this mode optimises two extinctions). Use "
+      "the joint mode.");
+    this->initial = std::move(start.extinction);
+    if (start.hasLight)
+    {
+      this->initialLight = std::move(start.light);
+    }
+    this->warm = true;
   }
 
   /// Starts the first run.
@@ -169,6 +188,7 @@ struct Solver::Internals
     }
     Problem made = this->prepared->ProblemFor(this->camera, this->light, wanted);
     made.forLight = this->lightRun;
+    made.isMeasuredOnly = this->onlyMeasures;
     made.DrawTo(this->pulls, this->lightRun, this->backend.IsOnGpu());
     return made;
   }
