@@ -200,7 +200,7 @@ check_coverage()
   cmake --preset coverage
   cmake --build --preset coverage
   find build/coverage -name '*.gcda' -delete
-  ctest --preset coverage --label-regex '^quick$' --parallel "$(nproc)" --exclude-regex '^House'
+  ctest --preset coverage --label-regex '^quick$' --parallel "$(nproc)" --exclude-regex '^(House|Install)'
   mkdir -p build/coverage/report
   # Threads count without locks, so a few counts are wrong. Only whether a line ran is used.
   tool gcovr --root . --filter cuda/ --object-directory build/coverage build/coverage/cuda build/coverage/Testing \
