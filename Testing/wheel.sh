@@ -25,7 +25,7 @@ python="${LIMPID_PYTHON:-/usr/bin/python3}"
 modules=("$root"/build/vtk/lib/python3*/*-packages)
 data="$root/../shared/data"
 
-bash "$root/Testing/install-packages.sh" g++ libglm-dev libtbb-dev python3-venv python3-dev \
+bash "$root/Testing/install-packages.sh" g++ cmake ninja-build libglm-dev libtbb-dev python3-venv python3-dev \
   xvfb xauth libgl1-mesa-dri libgl1 libxrender1
 
 rm -rf "$folder/venv" "$folder/tools" "$folder/dist" "$folder/unpacked" "$folder/repaired" "$folder/alone"

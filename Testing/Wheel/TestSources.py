@@ -44,7 +44,7 @@ class TestSources(unittest.TestCase):
             project = (unpacked / "pyproject.toml").read_text(encoding="utf-8")
             self.assertNotIn('"..', project)
             self.assertTrue((unpacked / "source/Plugin/Wheel/Module.cxx").is_file())
-            subprocess.run(["cmake", "-S", unpacked / "source", "-B", unpacked / "build",
+            subprocess.run(["cmake", "-G", "Ninja", "-S", unpacked / "source", "-B", unpacked / "build",
                             "-DLIMPID_ENABLE_VTK=OFF", "-DLIMPID_ENABLE_CUDA=OFF",
                             "-DLIMPID_BUILD_TESTING=OFF"], check=True, stdout=subprocess.PIPE)
 
