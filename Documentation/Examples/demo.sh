@@ -75,8 +75,8 @@ with_progress() {
   wait "$command"
 }
 
-echo "1 of 2: installing what is missing and building. The first time, this takes 3 to 6 minutes on two" \
-  "cores (details in $output/build.log)."
+echo "1 of 2: installing what is missing and building. The first time, building takes 3 to 6 minutes on" \
+  "two cores (details in $output/build.log)."
 with_progress "$output/build.log" bash "$root/Testing/build.sh" || {
   tail -40 "$output/build.log" >&2
   echo "The build failed; its whole output is in $output/build.log." >&2

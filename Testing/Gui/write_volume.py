@@ -16,7 +16,7 @@ from paraview.vtk.vtkImagingCore import vtkExtractVOI
 from paraview.vtk.vtkIOXML import vtkXMLImageDataReader, vtkXMLImageDataWriter
 
 
-def every_second_point_of(volume):
+def every_fourth_point_of(volume):
     reader = vtkXMLImageDataReader()
     reader.SetFileName(volume)
     sampled = vtkExtractVOI()
@@ -39,7 +39,7 @@ def phantom_of_a_head(plugin):
 
 plugin, volume, path = sys.argv[1:]
 if os.path.isfile(volume):
-    image = every_second_point_of(volume)
+    image = every_fourth_point_of(volume)
 else:
     print(f"{volume} is not there: stories are told of a phantom. Set LIMPID_TEST_DATA.")
     image = phantom_of_a_head(plugin)
