@@ -161,13 +161,7 @@ public:
 
   void KeepOnlyBest() override
   {
-    for (std::size_t i = 0; i < this->Iterates.size(); ++i)
-    {
-      if (i != this->BestOf)
-      {
-        this->Iterates[i] = {};
-      }
-    }
+    this->KeepIterates(this->BestOf, this->BestOf);
     this->Lagged.Clear();
     this->Resilient.Clear();
   }
@@ -461,9 +455,15 @@ private:
   void FreeWhatSweepsNeed()
   {
     this->Lagged.Clear();
+    this->KeepIterates(this->Now, this->BestOf);
+  }
+
+  /// Frees all other iterates.
+  void KeepIterates(std::size_t one, std::size_t other)
+  {
     for (std::size_t i = 0; i < this->Iterates.size(); ++i)
     {
-      if (i != this->Now && i != this->BestOf)
+      if (i != one && i != other)
       {
         this->Iterates[i] = {};
       }
