@@ -94,33 +94,39 @@ public:
   void Clear()
   {
     this->Sum = {};
-    this->Pulled = {};
     this->FilledBy = nullptr;
     this->Beside = nullptr;
   }
 
-  /// One value per node; null: there are no other terms.
-  const float* Data() const { return this->Sum.Data(); }
+  /// One value per node; null: the turn sweeps all terms.
+  const float* DataFor(const Turn& turn) const
+  {
+    return turn.others.empty() ? nullptr : this->Sum.Data();
+  }
 
-  /// Returns these values minus the pull of neighbours upon the extinction at the start of a turn.
+  /// Returns these values minus the pull of neighbours upon the extinction at the start of a turn,
+  /// in their place.
   const float* WithPull(const Turn& turn, const float* last)
   {
-    if (this->Pulled.Empty())
-    {
-      this->Pulled = this->Zeros("the pull");
-    }
     const DistributionOn<AnyDevice>& shared = this->Energy->Distribution();
-    if (!this->Sum.Empty())
+    const float* lagged = this->DataFor(turn);
+    if (lagged)
     {
       shared.Pass(this->Sum.Data(), turn.swept->Number(), FieldDistribution::slabs);
     }
+    else if (this->Sum.Empty())
+    {
+      this->Sum = this->Zeros("the pull");
+    }
     FindPull(*this->Device,
       { this->Given->grid.nodes, this->Energy->Fields().base.Data(),
-        this->Energy->Fields().importance.Data(), last, this->Sum.Data(),
-        static_cast<float>(turn.smoothing), this->Pulled.Data() },
+        this->Energy->Fields().importance.Data(), last, lagged, static_cast<float>(turn.smoothing),
+        this->Sum.Data() },
       this->Given->OwnSlab().slices);
-    shared.Pass(this->Pulled.Data(), FieldDistribution::slabs, turn.swept->Number());
-    return this->Pulled.Data();
+    shared.Pass(this->Sum.Data(), FieldDistribution::slabs, turn.swept->Number());
+    this->FilledBy = nullptr;
+    this->Beside = nullptr;
+    return this->Sum.Data();
   }
 
 private:
@@ -130,15 +136,16 @@ private:
       this->Device, static_cast<std::size_t>(this->Given->grid.NodeCount()), what);
   }
 
-  /// Makes the sum 0 where the terms of a turn do not overwrite it.
+  /// Makes the sum 0 where the terms of a turn do not overwrite it. Memory that was written in few
+  /// places is exchanged, since zeros of the system take none.
   void MakeRoom(const Turn& turn)
   {
-    const bool several = turn.others.size() > 1;
-    if (several && !this->Sum.Empty())
+    const Term* only = turn.others.size() == 1 ? turn.others[0] : nullptr;
+    if (!this->Sum.Empty() && !this->FilledBy)
     {
       this->Energy->Distribution().SetZero(turn.others.front()->Number(), this->Sum.Data());
     }
-    else if (several || this->FilledBy != turn.others[0]) // each writes voxels of its own
+    else if (!only || this->FilledBy != only) // each writes voxels of its own
     {
       this->Sum = {};
       this->Sum = this->Zeros("the lagged derivative");
@@ -148,10 +155,9 @@ private:
   std::shared_ptr<AnyDevice> Device;
   const Problem* Given;
   Terms<AnyDevice>* Energy;
-  DeviceArray<AnyDevice, float> Sum;    ///< empty: not needed yet
-  const Term* FilledBy = nullptr;       ///< the one term that has written it; null: several
-  const Term* Beside = nullptr;         ///< the swept term if it is of the last iterate
-  DeviceArray<AnyDevice, float> Pulled; ///< the sum less the pull; empty: not needed yet
+  DeviceArray<AnyDevice, float> Sum; ///< empty: not needed yet
+  const Term* FilledBy = nullptr; ///< the one term that has written it; null: others, or the pull
+  const Term* Beside = nullptr;   ///< the swept term if it is of the last iterate
 };
 }
 

@@ -556,8 +556,8 @@ private:
         [](const Term* other) { return other->IsOfCamera(); });
     const float* alternative = afterCamera ? last : this->Cheapest();
     SweepPolicy(*this->Device, *turn.swept, this->Energy, *this->Given,
-      { last, turn.smoothing > 0 ? this->Lagged.WithPull(turn, last) : this->Lagged.Data(), next,
-        turn.swept->Weight(), this->PullsOf(turn, last), turn.transmittance, kept,
+      { last, turn.smoothing > 0 ? this->Lagged.WithPull(turn, last) : this->Lagged.DataFor(turn),
+        next, turn.swept->Weight(), this->PullsOf(turn, last), turn.transmittance, kept,
         turn.weighs ? alternative : nullptr, turn.reach, this->SweepsEmphasise() },
       moved);
     this->Energy.TakeSwept(*turn.swept, kept, moved, last, next);

@@ -59,6 +59,7 @@ void WriteRow(const SmoothedNode& node, const ColumnSums* const (&columns)[3], I
   const float* __restrict weightsAt = columns[1]->weights.values;
   const float* __restrict weightsAbove = columns[2]->weights.values;
   const float own = NeighborWeight(0, 0, 0);
+  LIMPID_IVDEP // the pull may be written in place of the derivative
   for (int x = 0; x < body.nodes.x; ++x)
   {
     const auto around = [x](const float* row) { return row[x] + 2 * row[x + 1] + row[x + 2]; };
@@ -75,6 +76,10 @@ void WriteRow(const SmoothedNode& node, const ColumnSums* const (&columns)[3], I
 void WriteUnmoved(const SmoothedNode& body, Index first)
 {
   const auto bytes = std::size_t(body.nodes.x) * sizeof(float);
+  if (body.lagged == body.pull)
+  {
+    return;
+  }
   if (body.lagged)
   {
     std::memcpy(body.pull + first, body.lagged + first, bytes);

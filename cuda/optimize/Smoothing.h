@@ -61,7 +61,7 @@ struct SmoothedNode
   const float* last;       ///< the last iterate [1/length]
   const float* lagged;     ///< derivative of the terms that are not swept; null if none
   float strength;          ///< sigma [length]
-  float* pull;             ///< out: that derivative minus sigma a
+  float* pull;             ///< out: that derivative minus sigma a; may be the same array
 
   /// Whether a node is not empty; empty nodes neither have nor are neighbours.
   LIMPID_HD LIMPID_INLINE bool IsFilled(Index node) const
