@@ -69,7 +69,7 @@ CarriedExtinction ControlledScene::ExtinctionOnData(const Solver& found) const
   CarriedExtinction applied =
     *AppliedTo(this->Prepared->Arrays(), this->Prepared->Majorant(), found.Change());
   const Problem problem =
-    this->Prepared->ProblemForBounds(found.MainCamera(), found.OnlyLight(), found.Options());
+    this->Prepared->ProblemForEnergy(found.MainCamera(), found.OnlyLight(), found.Options());
   problem.TakeIntoBounds(applied.extinction);
   if (applied.hasLight)
   {

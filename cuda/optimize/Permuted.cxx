@@ -115,6 +115,7 @@ public:
     this->Inside.importance = this->Fields->importance.Data();
     this->Inside.nodeImportance = this->Fields->nodeImportance.Data();
     this->Inside.occupancy = this->Fields->occupancy;
+    this->Inside.derived = {};
     for (Pull& pull : this->Inside.furtherPulls)
     {
       this->References.push_back(this->Room());
@@ -124,6 +125,7 @@ public:
   }
 
   const Problem& ProblemInside() const { return this->Inside; }
+  bool HasOwnFields() const override { return true; }
 
   /// Permutes a starting extinction. `start`: in the order of the problem.
   StartingExtinction InOrder(const StartingExtinction& start) const

@@ -84,7 +84,7 @@ NodeValues DespeckledImportance(const SceneFields& scene)
   NodeValues values(around.Around().NodeCount());
   if (!around.Empty())
   {
-    Despeckle(around.Around(), extinctions.Data(), importances.Data(), values.Data());
+    limpid::Despeckle(around.Around(), extinctions.Data(), importances.Data(), values.Data());
   }
   return around.Inside(std::move(values));
 }
@@ -212,7 +212,7 @@ PreparedScene::PreparedScene(const SceneFields& given)
   this->LargestExtinction = largest > 0 ? std::max(largest, scene.majorant) : 0.0f;
   this->SomethingImportant = found.importance.largest > 0;
   this->Given.values = importance.values;
-  this->Given.ofNodes = Shared(std::move(found.nodeImportance));
+  this->Given.derived.nodeImportance = Shared(std::move(found.nodeImportance));
   this->Given.occupancy = std::move(found.occupancy);
 }
 
@@ -221,50 +221,72 @@ bool PreparedScene::SomethingToSee() const
   return this->SomethingImportant && this->LargestExtinction > 0 && this->Fields.grid.HasVolume();
 }
 
+/// Sets the despeckled importance, and at first what is derived from it.
+void PreparedScene::Despeckle(Important& important) const
+{
+  const SceneFields& scene = this->Fields;
+  important.values = scene.despeckled;
+  if (!scene.despeckled)
+  {
+    important.derived.importance = Shared(DespeckledImportance(scene));
+    important.values = important.derived.importance->Data();
+  }
+  if (!important.occupancy)
+  {
+    SceneSurvey found = Survey(scene, mostExtinction, important.values);
+    important.derived.nodeImportance = Shared(std::move(found.nodeImportance));
+    important.occupancy = std::move(found.occupancy);
+  }
+}
+
 /// Scores and ceilings do not need the node importance of the importance as given. It is freed
 /// while there is a despeckled importance.
 PreparedScene::Important& PreparedScene::ImportantFor(ImportanceSmoothing smoothing, bool minimised)
 {
   if (smoothing != ImportanceSmoothing::Off && !this->Despeckled)
   {
-    const SceneFields& scene = this->Fields;
-    auto made = std::make_unique<Important>();
-    made->values = scene.despeckled;
-    if (!scene.despeckled)
-    {
-      made->own = DespeckledImportance(scene);
-      made->values = made->own.Data();
-    }
-    SceneSurvey found = Survey(scene, mostExtinction, made->values);
-    made->ofNodes = Shared(std::move(found.nodeImportance));
-    made->occupancy = std::move(found.occupancy);
-    this->Despeckled = std::move(made);
-    this->Free(this->Given);
+    this->Despeckled = std::make_unique<Important>();
+    this->Despeckle(*this->Despeckled);
+    this->FreeNodesOf(this->Given);
   }
   Important& important = smoothing == ImportanceSmoothing::Off ? this->Given : *this->Despeckled;
-  if (minimised && !important.ofNodes)
+  if (!important.values)
   {
-    important.ofNodes = this->NodeImportanceOf(important);
+    this->Despeckle(important);
+  }
+  if (minimised && !important.derived.nodeImportance)
+  {
+    important.derived.nodeImportance = this->NodeImportanceOf(important);
     important.resident = std::make_shared<Resident>(); // cached fields lack the node importance
   }
   return important;
 }
 
 /// In a subdomain it stays: the occupancy is made from it.
-void PreparedScene::Free(Important& important) const
+void PreparedScene::FreeNodesOf(Important& important) const
 {
   if (this->Piece().IsWhole())
   {
-    important.ofNodes = nullptr;
+    important.derived.nodeImportance = nullptr;
   }
 }
 
 void PreparedScene::FreeNodeImportance()
 {
-  this->Free(this->Given);
+  this->FreeNodesOf(this->Given);
   if (this->Despeckled)
   {
-    this->Free(*this->Despeckled);
+    this->FreeNodesOf(*this->Despeckled);
+  }
+}
+
+void PreparedScene::FreeDerivedFields()
+{
+  this->FreeNodeImportance();
+  if (this->Despeckled && this->Despeckled->derived.importance && this->Piece().IsWhole())
+  {
+    this->Despeckled->derived.importance = nullptr;
+    this->Despeckled->values = nullptr;
   }
 }
 
@@ -281,10 +303,13 @@ NodeValues PreparedScene::LeastExtinction(const Settings& settings)
     return {};
   }
   const float* base = this->Fields.baseExtinction;
-  const float* importance = this->ImportanceFor(settings.importanceSmoothing);
   const Index count = this->Fields.ValueCount();
-  NodeValues least(count);
+  // A despeckled importance that was freed is not kept again for this.
+  const bool isFreed = settings.importanceSmoothing != ImportanceSmoothing::Off &&
+    this->Despeckled && !this->Despeckled->values;
+  NodeValues least = isFreed ? DespeckledImportance(this->Fields) : NodeValues(count);
   float* values = least.Data();
+  const float* importance = isFreed ? values : this->ImportanceFor(settings.importanceSmoothing);
   ParallelFor(
     count, 65536, [&](Index node) { values[node] = protect * importance[node] * base[node]; });
   return least;
@@ -293,8 +318,8 @@ NodeValues PreparedScene::LeastExtinction(const Settings& settings)
 /// Computes it again if it was freed.
 std::shared_ptr<const NodeValues> PreparedScene::NodeImportanceOf(const Important& important) const
 {
-  return important.ofNodes
-    ? important.ofNodes
+  return important.derived.nodeImportance
+    ? important.derived.nodeImportance
     : Shared(Survey(this->Fields, mostExtinction, important.values).nodeImportance);
 }
 
@@ -329,8 +354,8 @@ Problem PreparedScene::MakeProblem(
   task.grid = scene.grid;
   task.baseExtinction = scene.baseExtinction;
   task.importance = important.values;
-  task.owned = important.ofNodes;
-  task.nodeImportance = important.ofNodes ? important.ofNodes->Data() : nullptr;
+  task.derived = important.derived;
+  task.nodeImportance = task.derived.nodeImportance ? task.derived.nodeImportance->Data() : nullptr;
   task.occupancy = this->OccupancyOf(important, settings.skipUnneeded);
   task.resident = important.resident;
   task.majorant = this->LargestExtinction;

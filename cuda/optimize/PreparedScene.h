@@ -78,14 +78,17 @@ public:
   Problem ProblemForScoresOfIterates(
     const Camera& camera, const Light& light, const Settings& settings);
 
-  /// Returns a problem for the bounds of an extinction alone.
-  Problem ProblemForBounds(const Camera& camera, const Light& light, const Settings& settings)
+  /// Returns a problem whose energy and bounds are wanted, and no derivatives.
+  Problem ProblemForEnergy(const Camera& camera, const Light& light, const Settings& settings)
   {
     return this->MakeProblem(camera, light, settings, false);
   }
 
   /// Frees the node importance, which is computed again when a problem to be minimised needs it.
   void FreeNodeImportance();
+
+  /// Frees all fields that can be computed again.
+  void FreeDerivedFields();
 
   /// Returns all pulls of a problem but the regularisation, with references within its bounds.
   /// `before`: the change that temporal coherence pulls to; `found`: see Solver.
@@ -103,16 +106,16 @@ private:
   /// An importance and data derived from it.
   struct Important
   {
-    const float* values = nullptr;             ///< [0, 1]
-    NodeValues own;                            ///< owner of `values`, unless the caller owns them
-    std::shared_ptr<const NodeValues> ofNodes; ///< see NodeImportanceOfFilled; null: freed
+    const float* values = nullptr; ///< [0, 1]; null: freed
+    DerivedFields derived;         ///< `values`, unless the caller owns them, and what is of nodes
     std::shared_ptr<const Occupancy> occupancy;
     std::shared_ptr<Resident> resident = std::make_shared<Resident>();
   };
 
   /// `minimised`: whether its node importance is needed.
   Important& ImportantFor(ImportanceSmoothing smoothing, bool minimised);
-  void Free(Important& important) const;
+  void FreeNodesOf(Important& important) const;
+  void Despeckle(Important& important) const;
   Problem MakeProblem(
     const Camera& camera, const Light& light, const Settings& settings, bool minimised);
   std::shared_ptr<const Occupancy> OccupancyOf(Important& important, bool skip) const;
@@ -123,7 +126,7 @@ private:
   float LargestExtinction = 0;
   bool SomethingImportant = false;
   Important Given;
-  std::unique_ptr<Important> Despeckled; ///< null until it is requested
+  std::unique_ptr<Important> Despeckled; ///< null until it is requested first
 };
 }
 

@@ -52,6 +52,13 @@ struct TermSource
 std::vector<TermSource> SourcesOf(
   const Camera& camera, const Light& light, const Settings& settings, const Grid& grid);
 
+/// Fields derived from a scene, which live as long as someone uses them; null: not made.
+struct DerivedFields
+{
+  std::shared_ptr<const NodeValues> importance;     ///< see Despeckle [0, 1]
+  std::shared_ptr<const NodeValues> nodeImportance; ///< see NodeImportanceOfFilled [0, 1]
+};
+
 /// The minimisation problem: Eq. (21) for one extinction field. The caller owns the fields.
 struct Problem
 {
@@ -62,7 +69,7 @@ struct Problem
                                               ///< where only scores and ceilings are computed
   std::shared_ptr<const Occupancy> occupancy; ///< of base extinction and node importance
   std::shared_ptr<Resident> resident;         ///< null if nothing can be cached
-  std::shared_ptr<const NodeValues> owned;    ///< owner of the node importance, if it has one
+  DerivedFields derived;                      ///< owners of both importances, if they have one
   /// The distribution of the fields, see Use.
   std::shared_ptr<const DistributedFields> shared = std::make_shared<const DistributedFields>();
   float majorant = 0;              ///< upper bound of the extinction [1/length]
@@ -97,6 +104,13 @@ struct Problem
   /// Sets the further pulls. `pulls` must outlive their use.
   void DrawTo(
     const std::vector<PullWithReferences>& pulls, bool forTheLight, bool onDevice = false);
+
+  /// Lets go of both importances. It can then only be asked for what does not need them.
+  void DropImportance()
+  {
+    this->importance = this->nodeImportance = nullptr;
+    this->derived = {};
+  }
 
   /// Replaces the fields by distributed ones.
   void Use(const std::shared_ptr<const DistributedFields>& fields);
@@ -210,8 +224,11 @@ public:
   ExtinctionInPlace BestInPlace() const
   {
     const ExtinctionOnDevice there = this->BestOnDevice();
-    return there.extinction ? ExtinctionInPlace(there) : this->Best().data();
+    return there.extinction ? ExtinctionInPlace(there) : this->BestValues();
   }
+
+  /// Whether it has copies of the problem's fields, which nothing it does needs any more.
+  virtual bool HasOwnFields() const { return false; }
 
   /// Frees what only further iterations need. Afterwards, only the best iterate can be requested.
   virtual void KeepOnlyBest() {}

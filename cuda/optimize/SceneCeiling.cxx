@@ -11,11 +11,10 @@ namespace limpid
 Ceiling CeilingOfScores(PreparedScene& scene, const ChosenBackend& backend, const Camera& camera,
   const Light& light, const Settings& settings, const OpaqueGeometry* opaque)
 {
-  const Problem bounded = scene.ProblemFor(camera, light, settings);
   const Problem scored = scene.ProblemForScores(camera, light, settings);
   const ProblemInFront seen(scored, scene.ArrayGrid(), opaque);
   const NodeValues least = scene.LeastExtinction(settings);
-  const MostExtinction<float> most = MostOf(bounded);
+  const MostExtinction<float> most = MostOf(scored);
   Ceiling ceiling = backend->SweepsFromCameras(seen.Get())->CeilingOf(least.Data(), most);
   if (scored.settings.weights.light > 0)
   {

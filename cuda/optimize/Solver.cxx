@@ -16,6 +16,7 @@ Solver::Solver(const SceneFields& scene, const Camera& camera, const Light& ligh
 {
   RequireSettings(settings);
   this->State->prepared = PreparedScene::Make(scene);
+  this->State->ownsScene = true;
   this->State->Set(camera, light, settings, previous, {});
   this->State->OnBackend([this] { this->State->Begin(); });
 }

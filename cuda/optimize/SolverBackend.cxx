@@ -14,6 +14,7 @@
 #include "optimize/PolicySweep.h"
 
 #include <optional>
+#include <utility>
 
 namespace limpid
 {
@@ -112,7 +113,7 @@ std::unique_ptr<Minimizer> MakeMinimizerOn(const std::shared_ptr<AnyDevice>& dev
   }
   if (problem.settings.solver == SolverKind::Policy)
   {
-    return MakePolicy(device, problem, start, warm);
+    return MakePolicy(device, problem, std::exchange(start, {}), warm); // it has a copy
   }
   return MakeAdam(
     problem, std::move(start),

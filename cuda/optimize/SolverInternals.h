@@ -18,6 +18,7 @@
 #include <chrono>
 #include <optional>
 #include <sstream>
+#include <utility>
 
 namespace limpid
 {
@@ -69,6 +70,7 @@ struct Solver::Internals
   bool settled = false;
   bool warm = false;
   bool onlyMeasures = false; ///< whether runs make no iterations
+  bool ownsScene = false;    ///< whether nobody else uses the prepared scene
 
   /// `found`: see Solver.
   void Set(const Camera& eye, const Light& lamp, const Settings& wanted,
@@ -77,7 +79,7 @@ struct Solver::Internals
     this->scene = this->prepared->Arrays();
     RequireAlike(*this->prepared, eye, lamp, wanted, before.NearnessTo(eye, lamp, wanted));
     this->pulls = this->prepared->PullsFor(
-      before, this->prepared->ProblemFor(eye, lamp, wanted), eye, lamp, found);
+      before, this->prepared->ProblemForEnergy(eye, lamp, wanted), eye, lamp, found);
     this->camera = eye;
     this->light = lamp;
     this->settings = wanted;
@@ -186,7 +188,9 @@ struct Solver::Internals
     {
       (this->lightRun ? wanted.weights.view : wanted.weights.light) = 0;
     }
-    Problem made = this->prepared->ProblemFor(this->camera, this->light, wanted);
+    Problem made = this->onlyMeasures
+      ? this->prepared->ProblemForEnergy(this->camera, this->light, wanted)
+      : this->prepared->ProblemFor(this->camera, this->light, wanted);
     made.forLight = this->lightRun;
     made.isMeasuredOnly = this->onlyMeasures;
     made.DrawTo(this->pulls, this->lightRun, this->backend.IsOnGpu());
@@ -199,9 +203,13 @@ struct Solver::Internals
     field = std::vector<float>(baseField, baseField + this->scene.ValueCount());
   }
 
-  StartingExtinction FirstIterate() const
+  /// Returns the first iterate. A run that only measures it on the processor, which never starts
+  /// again, does not keep another copy.
+  StartingExtinction FirstIterate()
   {
-    StartingExtinction start = this->lightRun ? this->initialLight : this->initial;
+    StartingExtinction& given = this->lightRun ? this->initialLight : this->initial;
+    const bool isLastUse = this->onlyMeasures && !this->backend.IsOnGpu();
+    StartingExtinction start = isLastUse ? std::exchange(given, {}) : given;
     if (start)
     {
       this->problem.TakeIntoBounds(*start);
@@ -236,7 +244,13 @@ struct Solver::Internals
       return;
     }
     this->minimizer = this->backend->MakeMinimizer(this->problem, std::move(start), this->warm);
+    this->FreeFieldsNotNeeded();
     IterationRecord record = this->minimizer->Start();
+    if (this->onlyMeasures && !HasLightExtinction(this->settings))
+    {
+      this->problem.DropImportance();
+      this->prepared->FreeDerivedFields();
+    }
     record.iteration = this->iterations;
     this->runLowest = record.energy.Total();
     if (!this->lightRun)
@@ -244,11 +258,24 @@ struct Solver::Internals
       const bool tells = this->SeesAlong() && this->SamplesAsScores();
       this->base = tells ? this->minimizer->BaseScore() : this->ScoreOf(this->scene.baseExtinction);
       this->best =
-        tells ? record.score : (this->initial ? std::nullopt : std::optional<Score>(this->base));
+        tells ? record.score : (this->warm ? std::nullopt : std::optional<Score>(this->base));
       this->bestEnergy = record.energy;
       record.score = this->best.value_or(Score());
     }
     this->history.push_back(record);
+  }
+
+  /// Frees fields that the minimiser has copied. Another run would need them again.
+  void FreeFieldsNotNeeded()
+  {
+    if (this->minimizer->HasOwnFields())
+    {
+      this->problem.DropImportance();
+      if (this->ownsScene && !HasLightExtinction(this->settings))
+      {
+        this->prepared->FreeDerivedFields();
+      }
+    }
   }
 
   /// Whether iterations measure what scores measure.
@@ -501,6 +528,7 @@ struct Solver::Internals
       {
         this->AssignBase(result);
         this->best = this->base;
+        this->problem = this->MakeProblem();
         this->bestEnergy = this->backend->MakeMinimizer(this->problem, {}, false)->Start().energy;
       }
       if (!this->lightRun && this->KnowsScores())
