@@ -19,6 +19,7 @@
 #include "vtkTable.h"
 
 #include "math/Require.h"
+#include "optimize/ControlledScene.h"
 #include "viewpoint/Concurrent.h"
 #include "viewpoint/MeetTargets.h"
 
@@ -143,9 +144,19 @@ ResultArrays::ResultArrays(const std::set<std::string>& names)
 
 ResultArrays ResultArrays::OfSweeps() const
 {
-  const std::set<std::string> sweeps{ "Transmittance", "LightTransmittance", "MissedImportance" };
+  return this->Among({ "Transmittance", "LightTransmittance", "MissedImportance" });
+}
+
+ResultArrays ResultArrays::NotInLayers() const
+{
+  return this->Among(
+    { "Transmittance", "LightTransmittance", "MissedImportance", "BaseExtinction", "Importance" });
+}
+
+ResultArrays ResultArrays::Among(const std::set<std::string>& names) const
+{
   std::set<std::string> both;
-  std::set_intersection(this->Names.begin(), this->Names.end(), sweeps.begin(), sweeps.end(),
+  std::set_intersection(this->Names.begin(), this->Names.end(), names.begin(), names.end(),
     std::inserter(both, both.end()));
   return ResultArrays(both);
 }
@@ -162,6 +173,19 @@ std::string ResultArrays::Text() const
 
 namespace
 {
+/// Adds the fields of the scene that are here.
+void AddInputs(const SceneArrays& arrays, const ResultArrays& wanted, vtkImageData* output)
+{
+  if (wanted.Has("BaseExtinction") && arrays.baseExtinction)
+  {
+    output->GetPointData()->AddArray(arrays.baseExtinction);
+  }
+  if (wanted.Has("Importance") && arrays.importance)
+  {
+    output->GetPointData()->AddArray(arrays.importance);
+  }
+}
+
 /// Adds the arrays that every result has. `light`: null: the light has no extinction of its own.
 void AddExtinctions(const float* extinction, const float* light, const SceneArrays& arrays,
   double unitDistance, const ResultArrays& wanted, vtkImageData* output)
@@ -179,14 +203,7 @@ void AddExtinctions(const float* extinction, const float* light, const SceneArra
   {
     AddOpacity(extinction, unitDistance, output);
   }
-  if (wanted.Has("BaseExtinction"))
-  {
-    output->GetPointData()->AddArray(arrays.baseExtinction);
-  }
-  if (wanted.Has("Importance"))
-  {
-    output->GetPointData()->AddArray(arrays.importance);
-  }
+  AddInputs(arrays, wanted, output);
 }
 }
 
@@ -221,11 +238,26 @@ void AddFields(const Solver& solver, const SceneArrays& arrays, double unitDista
   }
 }
 
-void AddFields(const CarriedExtinction& found, const SceneArrays& arrays, double unitDistance,
-  const ResultArrays& wanted, vtkImageData* output)
+void AddFields(const ControlledScene& controlled, const Solver& found, const SceneArrays& arrays,
+  double unitDistance, bool separate, const ResultArrays& wanted, vtkImageData* output)
 {
-  AddExtinctions(found.extinction.data(), found.hasLight ? found.light.data() : nullptr, arrays,
-    unitDistance, wanted, output);
+  const vtkIdType count = output->GetNumberOfPoints();
+  const auto extinction = NewArray<vtkFloatArray>("Extinction", count);
+  const auto light = NewArray<vtkFloatArray>("LightExtinction", separate ? count : 0);
+  controlled.FillExtinction(
+    found, extinction->GetPointer(0), separate ? light->GetPointer(0) : nullptr);
+  if (wanted.Has("Opacity"))
+  {
+    AddOpacity(extinction->GetPointer(0), unitDistance, output);
+  }
+  for (vtkFloatArray* field : { extinction.Get(), light.Get() })
+  {
+    if (wanted.Has(field->GetName()) && (separate || field == extinction))
+    {
+      output->GetPointData()->AddArray(field);
+    }
+  }
+  AddInputs(arrays, wanted, output);
 }
 
 void AddUnsolvedFields(const SceneArrays& arrays, double unitDistance, bool separate,

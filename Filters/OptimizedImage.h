@@ -20,6 +20,7 @@ namespace limpid
 {
 struct Camera;
 struct ConcurrentResult;
+class ControlledScene;
 struct TargetsFound;
 struct Light;
 struct SceneArrays;
@@ -39,10 +40,16 @@ public:
   /// Returns those that need a sweep through the data: transmittances and what is made of them.
   ResultArrays OfSweeps() const;
 
+  /// Returns those that a scene which is converted in layers does not have: OfSweeps, and both
+  /// fields of the scene.
+  ResultArrays NotInLayers() const;
+
   /// Returns the names in quotation marks, with commas; may be empty.
   std::string Text() const;
 
 private:
+  ResultArrays Among(const std::set<std::string>& names) const;
+
   std::set<std::string> Names;
 };
 
@@ -50,9 +57,11 @@ private:
 void AddFields(const Solver& solver, const SceneArrays& arrays, double unitDistance,
   const ResultArrays& wanted, vtkImageData* output);
 
-/// Adds the point arrays of an extinction, without those of sweeps.
-void AddFields(const CarriedExtinction& found, const SceneArrays& arrays, double unitDistance,
-  const ResultArrays& wanted, vtkImageData* output);
+/// Adds the point arrays of a change that was found on a coarser grid, without those of sweeps, and
+/// without those of a scene that is converted in layers. `separate`: also the extinction for the
+/// light.
+void AddFields(const ControlledScene& controlled, const Solver& found, const SceneArrays& arrays,
+  double unitDistance, bool separate, const ResultArrays& wanted, vtkImageData* output);
 
 /// Adds the point arrays and scores of a scene in which nothing can be hidden, because the image
 /// has no volume: the base extinction with transmittances of 1. `separate`: also the extinction for

@@ -123,6 +123,8 @@ float MapValue(const ScalarMapping& mapping, double value)
 
 struct MapWorker
 {
+  vtkIdType first; // tuple
+  vtkIdType count; // of tuples
   int component;
   const ScalarMapping& mapping;
   float* field;
@@ -157,12 +159,13 @@ struct MapWorker
 
     const int chosen = std::max(this->component, 0);
     const auto tuples = vtk::DataArrayTupleRange(array);
-    ForOnAllCores(array->GetNumberOfTuples(),
+    ForOnAllCores(this->count,
       [&](vtkIdType begin, vtkIdType end)
       {
         for (vtkIdType i = begin; i < end; ++i)
         {
-          const int value = static_cast<int>(static_cast<Value>(tuples[i][chosen]));
+          const auto tuple = tuples[this->first + i];
+          const int value = static_cast<int>(static_cast<Value>(tuple[chosen]));
           this->field[i] = table[static_cast<std::size_t>(value - lowest)];
         }
       });
@@ -172,12 +175,13 @@ struct MapWorker
   void Compute(ArrayType* array) const
   {
     const auto tuples = vtk::DataArrayTupleRange(array);
-    ForOnAllCores(array->GetNumberOfTuples(),
+    ForOnAllCores(this->count,
       [&](vtkIdType begin, vtkIdType end)
       {
         for (vtkIdType i = begin; i < end; ++i)
         {
-          this->field[i] = MapValue(this->mapping, ValueOf(tuples[i], this->component));
+          const auto tuple = tuples[this->first + i];
+          this->field[i] = MapValue(this->mapping, ValueOf(tuple, this->component));
         }
       });
   }
@@ -311,6 +315,12 @@ void FiniteRange(vtkDataArray* array, int component, double& low, double& high)
 
 void MapArray(vtkDataArray* array, int component, const ScalarMapping& mapping, float* field)
 {
-  Dispatch(array, MapWorker{ component, mapping, field });
+  MapTuples(array, 0, array->GetNumberOfTuples(), component, mapping, field);
+}
+
+void MapTuples(vtkDataArray* array, vtkIdType begin, vtkIdType end, int component,
+  const ScalarMapping& mapping, float* field)
+{
+  Dispatch(array, MapWorker{ begin, end - begin, component, mapping, field });
 }
 }

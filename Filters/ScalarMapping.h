@@ -7,6 +7,7 @@
 #define limpid_ScalarMapping_h
 
 #include "vtkLimpidFiltersModule.h" // for export macro
+#include "vtkType.h"
 
 #include <functional>
 
@@ -56,6 +57,11 @@ VTKLIMPIDFILTERS_EXPORT void FiniteRange(
  */
 VTKLIMPIDFILTERS_EXPORT void MapArray(
   vtkDataArray* array, int component, const ScalarMapping& mapping, float* field);
+
+/// Does this for the tuples from `begin` to before `end`, the first of which is written to
+/// field[0].
+void MapTuples(vtkDataArray* array, vtkIdType begin, vtkIdType end, int component,
+  const ScalarMapping& mapping, float* field);
 }
 
 #endif

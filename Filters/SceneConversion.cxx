@@ -61,12 +61,10 @@ vtkSmartPointer<vtkFloatArray> AverageToPoints(vtkImageData* image, const FieldS
 // Returns whether all values are finite, at least zero and at most `largest`. This is the usual
 // case, and the loop vectorises: such floating-point numbers are ordered like their bits as
 // integers.
-bool AreWithin(vtkFloatArray* array, float largest)
+bool AreWithin(const float* values, vtkIdType count, float largest)
 {
   std::uint32_t largestBits;
   std::memcpy(&largestBits, &largest, sizeof(largestBits));
-  const float* values = array->GetPointer(0);
-  const vtkIdType count = array->GetNumberOfTuples();
   unsigned outside = 0;
   for (vtkIdType i = 0; i < count; ++i)
   {
@@ -85,18 +83,20 @@ void EmptyPoints(const std::vector<float>& shares, vtkFloatArray* field)
     [](float share, float value) { return share > 0 ? value : 0.0F; });
 }
 
-// Makes unusable points empty and clamps importance to [0, 1].
-void CorrectPoints(SceneArrays& arrays)
+// Makes unusable points empty, and clamps importance to [0, 1].
+void CorrectPoints(vtkIdType count, float* extinction, float* importance, UnusablePoints& found)
 {
-  float* extinction = arrays.baseExtinction->GetPointer(0);
-  float* importance = arrays.importance->GetPointer(0);
-  const vtkIdType count = arrays.baseExtinction->GetNumberOfTuples();
+  constexpr float largest = std::numeric_limits<float>::max();
+  if (AreWithin(extinction, count, largest) && AreWithin(importance, count, 1))
+  {
+    return;
+  }
   for (vtkIdType i = 0; i < count; ++i)
   {
     const bool invalid = !(std::isfinite(extinction[i]) && std::isfinite(importance[i]));
     const bool negative = !invalid && extinction[i] < 0;
-    arrays.invalidPoints += invalid ? 1 : 0;
-    arrays.negativePoints += negative ? 1 : 0;
+    found.invalid += invalid ? 1 : 0;
+    found.negative += negative ? 1 : 0;
     if (invalid || negative)
     {
       extinction[i] = 0;
@@ -105,31 +105,29 @@ void CorrectPoints(SceneArrays& arrays)
     else if (!(importance[i] >= 0 && importance[i] <= 1))
     {
       importance[i] = std::min(std::max(importance[i], 0.0F), 1.0F);
-      ++arrays.clampedPoints;
+      ++found.clamped;
     }
   }
 }
 }
 
-std::string SceneArrays::Warning() const
+std::string UnusablePoints::Warning(vtkIdType all) const
 {
   std::ostringstream text;
-  const auto report = [this, &text](vtkIdType points, const char* what)
+  const auto report = [all, &text](vtkIdType points, const char* what)
   {
     if (points > 0)
     {
-      text << (text.tellp() > 0 ? " " : "") << points << " of "
-           << (this->allPoints > 0 ? this->allPoints : this->baseExtinction->GetNumberOfTuples())
-           << " points have " << what;
+      text << (text.tellp() > 0 ? " " : "") << points << " of " << all << " points have " << what;
     }
   };
-  report(this->invalidPoints,
+  report(this->invalid,
     "a NaN or an infinite value (the scene is undefined there) and are treated as empty. Replace "
     "these values if they should count.");
-  report(this->negativePoints,
+  report(this->negative,
     "a negative extinction (it would amplify light) and are treated as empty. Give an extinction "
     "of zero or more.");
-  report(this->clampedPoints,
+  report(this->clamped,
     "an importance outside [0, 1] (the energy is not defined there) and are clamped to this range. "
     "Map the values to importance with ImportanceFunction.");
   return text.str();
@@ -235,13 +233,55 @@ SceneArrays ConvertScene(
   const std::vector<float> ofImportance = blanking.Shares(importance.onCells);
   EmptyPoints(ofExtinction, arrays.baseExtinction);
   EmptyPoints(ofImportance, arrays.importance);
-  constexpr float largest = std::numeric_limits<float>::max();
-  if (!AreWithin(arrays.baseExtinction, largest) || !AreWithin(arrays.importance, 1))
-  {
-    CorrectPoints(arrays);
-  }
+  CorrectPoints(arrays.baseExtinction->GetNumberOfTuples(), arrays.baseExtinction->GetPointer(0),
+    arrays.importance->GetPointer(0), arrays.unusable);
   TakeShares(ofExtinction, arrays.baseExtinction);
   TakeShares(ofImportance, arrays.importance);
   return arrays;
+}
+
+bool LayeredFields::Suit(
+  vtkImageData* image, const FieldSource& extinction, const FieldSource& importance)
+{
+  const Blanking blanking(image);
+  return blanking.MTime() == 0 && !importance.structures && !extinction.onCells &&
+    !importance.onCells;
+}
+
+LayeredFields::LayeredFields(
+  vtkImageData* image, const FieldSource& extinction, const FieldSource& importance)
+  : All(image->GetNumberOfPoints())
+  , Extinction(extinction)
+  , Importance(importance)
+{
+  const int* points = image->GetDimensions();
+  this->PerLayer = vtkIdType(points[0]) * points[1];
+  RequireOneEach(image, extinction);
+  RequireOneEach(image, importance);
+}
+
+void LayeredFields::Fill(const Range<int>& layers, float* baseExtinction, float* importance)
+{
+  const int seen = std::min(std::max(this->Seen, layers.begin), layers.end);
+  UnusablePoints again; // have been counted
+  this->Convert({ layers.begin, seen }, baseExtinction, importance, again);
+  const vtkIdType counted = this->PerLayer * (seen - layers.begin);
+  this->Convert({ seen, layers.end }, baseExtinction + counted, importance + counted, this->Found);
+  this->Seen = std::max(this->Seen, layers.end);
+}
+
+void LayeredFields::Convert(
+  const Range<int>& layers, float* baseExtinction, float* importance, UnusablePoints& found) const
+{
+  const Range<vtkIdType> points{ this->PerLayer * layers.begin, this->PerLayer * layers.end };
+  if (points.Empty())
+  {
+    return;
+  }
+  const auto convert = [&points](const FieldSource& source, float* field)
+  { MapTuples(source.array, points.begin, points.end, source.component, source.mapping, field); };
+  convert(this->Extinction, baseExtinction);
+  convert(this->Importance, importance);
+  CorrectPoints(points.Length(), baseExtinction, importance, found);
 }
 }

@@ -45,6 +45,17 @@ struct FieldSource
 /// An extinction for each GivenReference [1/length]; null: not given.
 using References = std::array<vtkSmartPointer<vtkFloatArray>, givenReferences>;
 
+/// Counts points whose values could not be used as they are.
+struct VTKLIMPIDFILTERS_EXPORT UnusablePoints
+{
+  vtkIdType invalid = 0;  ///< NaN or infinity; become empty
+  vtkIdType negative = 0; ///< extinction below zero; become empty
+  vtkIdType clamped = 0;  ///< importance outside [0, 1]; clamped
+
+  /// Returns a warning; may be empty. `all`: what they are out of.
+  std::string Warning(vtkIdType all) const;
+};
+
 /// The fields of a scene at the points of the image, and how many values were unusable.
 struct VTKLIMPIDFILTERS_EXPORT SceneArrays
 {
@@ -52,13 +63,7 @@ struct VTKLIMPIDFILTERS_EXPORT SceneArrays
   vtkSmartPointer<vtkFloatArray> importance;     ///< [0, 1]
   References references;
   vtkSmartPointer<vtkUnsignedShortArray> structureRows; ///< see Structures; null: no structures
-  vtkIdType invalidPoints = 0;                          ///< NaN or infinity; become empty
-  vtkIdType negativePoints = 0;                         ///< extinction below zero; become empty
-  vtkIdType clampedPoints = 0;                          ///< importance outside [0, 1]; clamped
-  vtkIdType allPoints = 0; ///< what these counts are out of; 0: all here
-
-  /// Returns a warning about values that were not used as they are; may be empty.
-  std::string Warning() const;
+  UnusablePoints unusable;
 };
 
 /// Returns the grid whose nodes are the points of an image, placed by its extent and direction
@@ -97,6 +102,38 @@ VTKLIMPIDFILTERS_EXPORT void TakeShares(const std::vector<float>& shares, vtkFlo
 /// is clamped to [0, 1].
 VTKLIMPIDFILTERS_EXPORT SceneArrays ConvertScene(
   vtkImageData* image, const FieldSource& extinction, const FieldSource& importance);
+
+/// Both fields of a scene, which are converted a few layers of points at a time. The values are
+/// those of ConvertScene.
+class LayeredFields
+{
+public:
+  /// Whether that is possible: no values are averaged, no points are blanked, and there are no
+  /// structures.
+  static bool Suit(
+    vtkImageData* image, const FieldSource& extinction, const FieldSource& importance);
+
+  /// The arrays must outlive it.
+  LayeredFields(vtkImageData* image, const FieldSource& extinction, const FieldSource& importance);
+
+  /// Writes the fields of a range of layers along the third axis: base extinction [1/length] and
+  /// importance [0, 1].
+  void Fill(const Range<int>& layers, float* baseExtinction, float* importance);
+
+  /// Returns a warning about the values of all layers so far; may be empty.
+  std::string Warning() const { return this->Found.Warning(this->All); }
+
+private:
+  void Convert(const Range<int>& layers, float* baseExtinction, float* importance,
+    UnusablePoints& found) const;
+
+  vtkIdType All; ///< number of points
+  vtkIdType PerLayer = 0;
+  FieldSource Extinction;
+  FieldSource Importance;
+  int Seen = 0; ///< layers in front of it have been counted
+  UnusablePoints Found;
+};
 }
 
 #endif

@@ -274,9 +274,7 @@ void vtkExtinctionOptimizer::Optimize(vtkInformationVector** inputVector, vtkIma
   const bool isOther = state.AnyRank(input->GetMTime() != state.LastTime);
   state.LastChange.likeness = isOther ? limpid::likenessInTime : 1;
   state.LastTime = input->GetMTime();
-  const limpid::SceneFields fields = scene.Fields();
-  limpid::ControlledScene controlled(fields, state.ChooseControl(fields),
-    static_cast<limpid::ImportanceSmoothing>(this->GetImportanceSmoothing()));
+  limpid::ControlledScene controlled = state.Control(scene);
   limpid::ConcurrentResult result = state.Optimize(controlled, camera, light);
   std::optional<limpid::TargetsFound> targets = state.MeetTargets(scene, controlled, result.solver);
   this->SetProgressText(nullptr);
@@ -306,7 +304,7 @@ void vtkExtinctionOptimizer::Optimize(vtkInformationVector** inputVector, vtkIma
     state.WriteStructures(scene, *targets, output, structures);
   }
   state.LastNodes = scene.grid.nodes;
-  state.LastPiece = fields.piece;
+  state.LastPiece = scene.piece;
   state.KeepExtinction(input, output);
 }
 

@@ -39,14 +39,50 @@ bool vtkExtinctionOptimizer::Internals::RanksShare(vtkInformation* outInfo) cons
     settings.backend != limpid::BackendKind::Cuda && !this->Self->OptimizeViewpoint;
 }
 
-limpid::ImageScene vtkExtinctionOptimizer::Internals::Read(vtkInformationVector** inputVector) const
+limpid::ImageScene vtkExtinctionOptimizer::Internals::Read(vtkInformationVector** inputVector)
 {
+  this->SuitsLayers = false;
   if (this->Ranks->IsAlone())
   {
-    return this->Reader.Read(
-      this->Reader.RequireWholeImage(inputVector), this->Self->ExtinctionSource);
+    return this->Reader.Read(this->Reader.RequireWholeImage(inputVector),
+      this->Self->ExtinctionSource,
+      [this](const limpid::ImageScene& scene) { return this->IsInLayers(scene); });
   }
   return this->Reader.ReadShared(this->Ranks, inputVector, this->Self->ExtinctionSource);
+}
+
+// Returns whether the fields of a scene, which are not there yet, are to be converted in layers:
+// because they do not fit into memory as a whole.
+bool vtkExtinctionOptimizer::Internals::IsInLayers(const limpid::ImageScene& scene)
+{
+  if (!scene.grid.HasVolume() || this->Self->WarmStart ||
+    !limpid::InfoOf(limpid::SettingsOf(this->Self->Settings).method).iterates)
+  {
+    return false;
+  }
+  this->SuitsLayers = true;
+  limpid::SceneFields fields;
+  fields.grid = scene.grid;
+  const limpid::ControlGrid& control = this->ChooseControl(fields);
+  return control.factor > 1 && !control.measuresData;
+}
+
+// Returns the scene with the grid on which the change is found.
+limpid::ControlledScene vtkExtinctionOptimizer::Internals::Control(const limpid::ImageScene& scene)
+{
+  const limpid::SceneFields fields = scene.Fields();
+  const auto smoothing =
+    static_cast<limpid::ImportanceSmoothing>(this->Self->GetImportanceSmoothing());
+  if (!scene.layered)
+  {
+    return { fields, this->ChooseControl(fields), smoothing };
+  }
+  const auto fill = [layered = scene.layered](
+                      const limpid::Range<int>& layers, float* baseExtinction, float* importance)
+  { layered->Fill(layers, baseExtinction, importance); };
+  limpid::ControlledScene controlled(fields, fill, this->ChooseControl(fields), smoothing);
+  this->Reader.WarnOfValues(scene);
+  return controlled;
 }
 
 // Adds the arrays of the result. `solver`: on the control grid; becomes that of the data if results
@@ -70,14 +106,15 @@ limpid::OptimizationSummary vtkExtinctionOptimizer::Internals::AddResults(
     solver = std::move(onData);
     return summary;
   }
-  const std::string left = wanted.OfSweeps().Text();
+  const std::string left =
+    (controlled.IsInLayers() ? wanted.NotInLayers() : wanted.OfSweeps()).Text();
   vtkWarningWithObjectMacro(
     this->Self, << "Optimised at " << controlled.Control().Text()
                 << " (more does not fit into the memory limit). Scores are those of this resolution"
                 << (left.empty() ? "." : ", and these arrays are left out: " + left + ".")
                 << " Raise MemoryLimit if there is more memory.");
-  limpid::AddFields(
-    controlled.ExtinctionOnData(*solver), scene.arrays, scene.unitDistance, wanted, output);
+  limpid::AddFields(controlled, *solver, scene.arrays, scene.unitDistance,
+    this->HasTwoExtinctions(), wanted, output);
   limpid::OptimizationSummary summary = limpid::SummaryOf(*solver);
   summary.controlFactor = controlled.Control().factor;
   return summary;
@@ -89,24 +126,24 @@ const limpid::ControlGrid& vtkExtinctionOptimizer::Internals::ChooseControl(
   const limpid::SceneFields& scene)
 {
   const limpid::Settings settings = limpid::SettingsOf(this->Self->Settings);
-  const double ofData = this->BytesPerDataPoint();
-  const double all = this->BytesPerPoint();
+  const limpid::NeedPerNode need = this->Need();
   std::ostringstream what;
-  what << scene.grid.nodes.x << ' ' << scene.grid.nodes.y << ' ' << scene.grid.nodes.z << ' ' << all
-       << ' ' << settings.memoryLimit << ' ' << int(settings.controlResolution) << ' '
+  what << scene.grid.nodes.x << ' ' << scene.grid.nodes.y << ' ' << scene.grid.nodes.z << ' '
+       << need.ofData << ' ' << need.ofControl << ' ' << need.measuring << ' '
+       << settings.memoryLimit << ' ' << int(settings.controlResolution) << ' '
        << int(settings.method);
-  if (this->AnyRank(what.str() != this->ControlIsFor))
+  if (this->AnyRank(what.str() != this->GridIsFor))
   {
-    this->Control = limpid::InfoOf(settings.method).iterates
+    this->Grid = limpid::InfoOf(settings.method).iterates
       ? limpid::ChooseControlGrid(
-          settings, scene.grid, *limpid::OrWhole(scene.piece, scene.grid), { ofData, all - ofData })
+          settings, scene.grid, *limpid::OrWhole(scene.piece, scene.grid), need)
       : limpid::ControlGrid();
-    this->ControlIsFor = what.str();
+    this->GridIsFor = what.str();
     constexpr double gigabyte = 1e9;
     limpidLog(
-      "%s, %.2f GB of memory needed", this->Control.Text().c_str(), this->Control.bytes / gigabyte);
+      "%s, %.2f GB of memory needed", this->Grid.Text().c_str(), this->Grid.bytes / gigabyte);
   }
-  return this->Control;
+  return this->Grid;
 }
 
 // Returns the arrays to write. A warm start needs the extinction.
@@ -217,12 +254,19 @@ double vtkExtinctionOptimizer::Internals::BytesPerPoint() const
   return minimised + results + separate + viewpoint + despeckled + coherent;
 }
 
-// Returns the part of it that does not depend on the control grid: both fields, the change, the
-// result, and what they are resampled from.
-double vtkExtinctionOptimizer::Internals::BytesPerDataPoint() const
+// Returns this memory in parts. Of the data, there are the extinctions that are written; both
+// fields and what is derived from them, unless they are converted in layers; and if results are
+// measured, what sweeps need.
+limpid::NeedPerNode vtkExtinctionOptimizer::Internals::Need() const
 {
   const bool opacity = this->Self->ResultArrays.count("Opacity") > 0;
-  return 24 + (this->HasTwoExtinctions() ? 8 : 0) + (opacity ? 4 : 0);
+  const double extinctions = this->HasTwoExtinctions() ? 8 : 4;
+  const double written = extinctions + (opacity ? 4 : 0);
+  limpid::NeedPerNode need;
+  need.ofData = written + (this->SuitsLayers ? 1.5 : 12 + extinctions);
+  need.measuring = written + 14 + extinctions - need.ofData;
+  need.ofControl = this->BytesPerPoint() - need.ofData;
+  return need;
 }
 
 limpid::Camera vtkExtinctionOptimizer::Internals::MakeCamera(const limpid::Grid& grid) const

@@ -37,12 +37,14 @@ struct vtkExtinctionOptimizer::Internals
 
   bool HasTwoExtinctions() const;
   double BytesPerPoint() const;
-  double BytesPerDataPoint() const;
+  limpid::NeedPerNode Need() const;
+  bool IsInLayers(const limpid::ImageScene& scene);
   bool RanksShare(vtkInformation* outInfo) const;
-  limpid::ImageScene Read(vtkInformationVector** inputVector) const;
+  limpid::ImageScene Read(vtkInformationVector** inputVector);
   limpid::Camera MakeCamera(const limpid::Grid& grid) const;
   limpid::Light MakeLight(const limpid::Camera& camera) const;
   const limpid::ControlGrid& ChooseControl(const limpid::SceneFields& scene);
+  limpid::ControlledScene Control(const limpid::ImageScene& scene);
   limpid::ConcurrentResult Optimize(const limpid::ControlledScene& scene,
     const limpid::Camera& camera, const limpid::Light& light) const;
   void StartFromLastResult(const limpid::ControlledScene& scene, limpid::Solver& solver) const;
@@ -69,8 +71,9 @@ struct vtkExtinctionOptimizer::Internals
   std::shared_ptr<const limpid::ScenePiece> LastPiece; // at the last run; null: one process
   limpid::CarriedChange LastChange;                    // for temporal coherence
   vtkMTimeType LastTime = 0;                           // of the data of LastChange
-  limpid::ControlGrid Control;                         // of the last run
-  std::string ControlIsFor;                            // what it was chosen for
+  limpid::ControlGrid Grid;                            // on which the change is found
+  std::string GridIsFor;                               // what it was chosen for
+  bool SuitsLayers = false; // whether the fields of this run can be converted in layers
 };
 
 #endif

@@ -76,8 +76,15 @@ namespace limpid
 {
 SceneFields ImageScene::Fields() const
 {
-  SceneFields fields{ this->grid, this->arrays.baseExtinction->GetPointer(0),
-    this->arrays.importance->GetPointer(0), this->majorant };
+  SceneFields fields;
+  fields.grid = this->grid;
+  fields.majorant = this->majorant;
+  if (this->layered)
+  {
+    return fields;
+  }
+  fields.baseExtinction = this->arrays.baseExtinction->GetPointer(0);
+  fields.importance = this->arrays.importance->GetPointer(0);
   SetReferences(this->arrays.references, fields);
   fields.despeckled = this->structures ? fields.importance : nullptr; // labels have no noise
   fields.piece = this->piece;
@@ -133,8 +140,8 @@ void vtkVisibilityAlgorithm::SceneReader::RequireUnitDistance() const
       << "). Set a distance in this range, or zero for the mean length of a cell.");
 }
 
-limpid::ImageScene vtkVisibilityAlgorithm::SceneReader::Read(
-  vtkImageData* input, int extinctionSource) const
+limpid::ImageScene vtkVisibilityAlgorithm::SceneReader::Read(vtkImageData* input,
+  int extinctionSource, const std::function<bool(const limpid::ImageScene&)>& inLayers) const
 {
   limpid::ImageScene scene;
   scene.grid = limpid::GridOfImage(input);
@@ -150,7 +157,20 @@ limpid::ImageScene vtkVisibilityAlgorithm::SceneReader::Read(
     assumed.importance =
       limpid::StartingImportance(limpid::SharedArray(importance.scalars, input, nullptr, nullptr));
   }
-  scene.arrays = this->Convert(input, extinctionSource, assumed, scene);
+  const Sources sources = this->SourcesOf(input, extinctionSource, assumed, scene);
+  const std::vector<limpid::FieldSource> references = limpid::ReferenceSources(this->Self, input);
+  const bool hasReferences = std::any_of(references.begin(), references.end(),
+    [](const limpid::FieldSource& reference) { return reference.array != nullptr; });
+  if (inLayers && !hasReferences &&
+    limpid::LayeredFields::Suit(input, sources.extinction, sources.importance) && inLayers(scene))
+  {
+    scene.layered =
+      std::make_shared<limpid::LayeredFields>(input, sources.extinction, sources.importance);
+  }
+  else
+  {
+    this->Convert(input, sources, scene);
+  }
   this->Warn(assumed, scene);
   return scene;
 }
@@ -213,10 +233,14 @@ limpid::ImageScene vtkVisibilityAlgorithm::SceneReader::ReadShared(
   limpid::RequireOnAllRanks(ranks,
     [&]
     {
-      scene.arrays = empty
-        ? limpid::SceneArrays{ limpid::NewArray<vtkFloatArray>("BaseExtinction", 0),
-            limpid::NewArray<vtkFloatArray>("Importance", 0), {}, nullptr, 0, 0, 0 }
-        : this->Convert(shared.image, extinctionSource, assumed, scene);
+      if (empty)
+      {
+        scene.arrays.baseExtinction = limpid::NewArray<vtkFloatArray>("BaseExtinction", 0);
+        scene.arrays.importance = limpid::NewArray<vtkFloatArray>("Importance", 0);
+        return;
+      }
+      this->Convert(
+        shared.image, this->SourcesOf(shared.image, extinctionSource, assumed, scene), scene);
     });
   shared.CopyFromOwners(scene.arrays.baseExtinction);
   shared.CopyFromOwners(scene.arrays.importance);
@@ -267,12 +291,24 @@ void vtkVisibilityAlgorithm::SceneReader::Warn(
   {
     vtkWarningWithObjectMacro(this->Self, << limpid::WarningOf(*assumed.importance));
   }
-  for (const std::string& warning : { scene.warning, scene.arrays.Warning() })
+  if (!scene.warning.empty())
   {
-    if (!warning.empty())
-    {
-      vtkWarningWithObjectMacro(this->Self, << warning);
-    }
+    vtkWarningWithObjectMacro(this->Self, << scene.warning);
+  }
+  if (!scene.layered)
+  {
+    this->WarnOfValues(scene);
+  }
+}
+
+void vtkVisibilityAlgorithm::SceneReader::WarnOfValues(const limpid::ImageScene& scene) const
+{
+  const std::string warning = scene.layered
+    ? scene.layered->Warning()
+    : scene.arrays.unusable.Warning(scene.arrays.baseExtinction->GetNumberOfTuples());
+  if (!warning.empty())
+  {
+    vtkWarningWithObjectMacro(this->Self, << warning);
   }
 }
 
@@ -296,34 +332,41 @@ void vtkVisibilityAlgorithm::SceneReader::ReadUnits(
   }
 }
 
-limpid::SceneArrays vtkVisibilityAlgorithm::SceneReader::Convert(vtkImageData* input,
-  int extinctionSource, const Assumed& assumed, limpid::ImageScene& scene) const
+vtkVisibilityAlgorithm::SceneReader::Sources vtkVisibilityAlgorithm::SceneReader::SourcesOf(
+  vtkImageData* input, int extinctionSource, const Assumed& assumed,
+  limpid::ImageScene& scene) const
 {
-  const limpid::FieldSource extinction = extinctionSource == ARRAY
+  Sources sources;
+  sources.extinction = extinctionSource == ARRAY
     ? this->ExtinctionArray(input)
     : this->OpacityOfScalars(input, scene.unitDistance, assumed.range);
-  const limpid::FieldSource importance = this->ImportanceSource(input, assumed);
-  limpid::SceneArrays arrays = limpid::ConvertScene(input, extinction, importance);
+  sources.importance = this->ImportanceSource(input, assumed);
+  if (extinctionSource == ARRAY)
+  {
+    scene.taken.push_back(sources.extinction.array);
+  }
+  scene.structures = sources.importance.structures;
+  scene.warning = limpid::WarningOf(sources.importance);
+  if (!assumed.importance && !scene.structures && !this->Self->GetUseImportanceFunction() &&
+    sources.importance.array->GetNumberOfComponents() == 1)
+  {
+    scene.taken.push_back(sources.importance.array);
+  }
+  return sources;
+}
+
+void vtkVisibilityAlgorithm::SceneReader::Convert(
+  vtkImageData* input, const Sources& sources, limpid::ImageScene& scene) const
+{
+  scene.arrays = limpid::ConvertScene(input, sources.extinction, sources.importance);
   std::size_t number = 0;
   for (const limpid::FieldSource& reference : limpid::ReferenceSources(this->Self, input))
   {
-    arrays.references[number] =
+    scene.arrays.references[number] =
       reference.array ? limpid::ConvertField(input, reference, "Reference") : nullptr;
     scene.taken.push_back(reference.array);
     ++number;
   }
-  if (extinctionSource == ARRAY)
-  {
-    scene.taken.push_back(extinction.array);
-  }
-  scene.structures = importance.structures;
-  scene.warning = limpid::WarningOf(importance);
-  if (!assumed.importance && !importance.structures && !this->Self->GetUseImportanceFunction() &&
-    importance.array->GetNumberOfComponents() == 1)
-  {
-    scene.taken.push_back(importance.array);
-  }
-  return arrays;
 }
 
 // Returns the chosen array, or else the array named `fallback`, or, if that is null, the active

@@ -15,6 +15,7 @@
 #include "optimize/Solver.h"
 
 #include <array>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -33,10 +34,14 @@ struct ImageScene
   std::shared_ptr<const Structures> structures; ///< null: importance is given otherwise
   std::string warning; ///< says what was assumed of structures; may be empty
 
+  /// Converts both fields a few layers at a time, instead of the arrays; null: they are here.
+  std::shared_ptr<LayeredFields> layered;
+
   /// Arrays of the input that are used as fields of the scene without a copy.
   std::vector<vtkDataArray*> taken;
 
-  /// Returns the fields for the core. Their memory belongs to this object.
+  /// Returns the fields for the core. Their memory belongs to this object. They are null if they
+  /// are converted in layers.
   SceneFields Fields() const;
 };
 }
@@ -58,8 +63,13 @@ struct vtkVisibilityAlgorithm::SceneReader
   void RequireUnitDistance() const;
 
   /// Reads the scene of the input, with the base extinction from `extinctionSource`. Warns about
-  /// unusable values.
-  limpid::ImageScene Read(vtkImageData* input, int extinctionSource) const;
+  /// unusable values. `inLayers`: returns whether the fields are to be converted in layers instead,
+  /// which then warn (WarnOfValues); it is asked only where that is possible.
+  limpid::ImageScene Read(vtkImageData* input, int extinctionSource,
+    const std::function<bool(const limpid::ImageScene&)>& inLayers = {}) const;
+
+  /// Warns about the unusable values of the layers that were converted.
+  void WarnOfValues(const limpid::ImageScene& scene) const;
 
   /// Reads the scene of an image that ranks share. If one rank fails, this throws on all of them.
   limpid::ImageScene ReadShared(const std::shared_ptr<const limpid::Communicator>& ranks,
@@ -84,8 +94,16 @@ private:
   };
 
   bool HasOpacityFunction() const;
-  limpid::SceneArrays Convert(vtkImageData* input, int extinctionSource, const Assumed& assumed,
+  /// The sources of both fields.
+  struct Sources
+  {
+    limpid::FieldSource extinction;
+    limpid::FieldSource importance;
+  };
+
+  Sources SourcesOf(vtkImageData* input, int extinctionSource, const Assumed& assumed,
     limpid::ImageScene& scene) const;
+  void Convert(vtkImageData* input, const Sources& sources, limpid::ImageScene& scene) const;
   void AssumeShared(
     const limpid::SharedImage& shared, const std::array<int, 6>& whole, Assumed& assumed) const;
   void Warn(const Assumed& assumed, const limpid::ImageScene& scene) const;

@@ -245,9 +245,11 @@ nb::dict Optimize(const Grid& grid, const Field& extinction, const Field& import
       }
       if (run.controlled->IsCoarser() && !onData)
       {
-        CarriedExtinction drawn = run.controlled->ExtinctionOnData(*found.solver);
-        forCamera = std::move(drawn.extinction);
-        forLight = std::move(drawn.light);
+        const auto count = static_cast<std::size_t>(run.scene.ValueCount());
+        forCamera.resize(count);
+        forLight.resize(HasLightExtinction(settings) ? count : 0);
+        run.controlled->FillExtinction(
+          *found.solver, forCamera.data(), forLight.empty() ? nullptr : forLight.data());
         return;
       }
       std::array<FoundExtinction, 2> taken = (onData ? onData : found.solver)->TakeExtinctions();

@@ -72,8 +72,8 @@ void ControlFields::Make(std::uint64_t version, const SceneFields& data,
   const Grid grid = CoarseGrid(data.grid, this->Control.factor);
   const std::shared_ptr<const ScenePiece> piece = ScenePiece::Whole(grid);
   auto own = std::make_shared<OwnFields>();
-  own->fields = MakeCoarseFields(
-    data.grid, grid, data.despeckled ? ImportanceSmoothing::Off : smoothing, ofLayers);
+  own->fields = MakeCoarseFields(data.grid, grid,
+    data.despeckled ? ImportanceSmoothing::Off : smoothing, ofLayers, NodesAtATime(data.grid));
   this->Scene = own->fields.Scene();
   this->Scene.majorant = data.majorant;
   for (std::size_t i = 0; i < givenReferences; ++i)

@@ -401,8 +401,7 @@ void VolumeData::CorrectImportance(const std::vector<float>& shares)
   const ScalarNodes scalars = this->Scalars();
   float* importance = this->Arrays.importance->GetPointer(0);
   const bool isCut = !this->Crop.planes.empty();
-  this->Arrays.allPoints = this->Whole().NodeCount();
-  this->Arrays.invalidPoints = this->InvalidScalars +
+  this->Arrays.unusable.invalid = this->InvalidScalars +
     this->SumOverRanks(CountNodes(this->Nodes(),
       [=, &shares](vtkIdType node, const Vec3& index)
       {
@@ -413,7 +412,7 @@ void VolumeData::CorrectImportance(const std::vector<float>& shares)
         importance[node] = empty || invalid ? 0.0F : importance[node];
         return invalid && this->Owns(index);
       }));
-  this->Arrays.clampedPoints = this->SumOverRanks(CountNodes(this->Nodes(),
+  this->Arrays.unusable.clamped = this->SumOverRanks(CountNodes(this->Nodes(),
     [=](vtkIdType node, const Vec3& index)
     {
       const float value = importance[node];
@@ -530,11 +529,12 @@ void VolumeData::UpdateReferences(vtkImageData* image, const std::vector<FieldSo
 
 std::string VolumeData::Warning() const
 {
-  SceneArrays counts = this->Arrays;
-  counts.invalidPoints = std::max(counts.invalidPoints, this->InvalidScalars);
-  counts.negativePoints = this->NegativeExtinctions;
-  counts.allPoints = this->Whole().NodeCount();
-  return counts.baseExtinction || this->ScalarValues ? counts.Warning() : std::string();
+  UnusablePoints unusable = this->Arrays.unusable;
+  unusable.invalid = std::max(unusable.invalid, this->InvalidScalars);
+  unusable.negative = this->NegativeExtinctions;
+  return this->Arrays.baseExtinction || this->ScalarValues
+    ? unusable.Warning(this->Whole().NodeCount())
+    : std::string();
 }
 
 void VolumeData::Release()

@@ -18,6 +18,7 @@
 
 #include <algorithm>
 #include <string>
+#include <tuple>
 #include <vector>
 
 using namespace limpid;
@@ -47,6 +48,20 @@ ControlGrid Chosen(
   settings.controlResolution = resolution;
   settings.memoryLimit = limit;
   return ChooseControlGrid(settings, grid, *ScenePiece::Whole(grid), need);
+}
+
+/// Makes the fields of a scene layer by layer.
+FieldsOfLayers LayersOf(const BoxScene& scene)
+{
+  return [&scene](const Range<int>& layers, float* base, float* importance)
+  {
+    const Index perLayer = Index(scene.grid.nodes.x) * scene.grid.nodes.y;
+    const auto copy = [&](const std::vector<float>& field, float* to) {
+      std::copy(field.begin() + perLayer * layers.begin, field.begin() + perLayer * layers.end, to);
+    };
+    copy(scene.extinction, base);
+    copy(scene.importance, importance);
+  };
 }
 
 /// Finds the change at half resolution and measures it on the data.
@@ -91,14 +106,32 @@ TEST(ControlGrid, IsThatOfTheDataWhereThereIsMemory)
 TEST(ControlGrid, SaysWhatItNeedsIfMemoryDecides)
 {
   const Grid grid = BoxScene::Cube(501).grid;
-  const ControlGrid forced = Chosen(grid, ControlResolution::FinestThatFits, 2000);
+  const ControlGrid forced = Chosen(grid, ControlResolution::FinestThatFits, 2000, { 4, 36, 20 });
   EXPECT_TRUE(forced.forced);
-  EXPECT_FALSE(forced.fitsData);
+  EXPECT_FALSE(forced.measuresData);
   EXPECT_EQ(forced.Text(), "half resolution: 1.1 of 2 GB");
   const ControlGrid wanted = Chosen(grid, ControlResolution::Quarter, 0);
   EXPECT_FALSE(wanted.forced);
-  EXPECT_TRUE(wanted.fitsData);
+  EXPECT_TRUE(wanted.measuresData);
   EXPECT_EQ(wanted.Text(), "quarter resolution");
+}
+
+TEST(ControlGrid, MeasuresTheDataIfThereIsRoom)
+{
+  const Grid grid = BoxScene::Cube(65).grid;
+  const NeedPerNode need{ 4, 36, 10 };
+  const auto chosen = [&](double bytesPerNode)
+  {
+    return Chosen(grid, ControlResolution::FinestThatFits,
+      double(grid.NodeCount()) * bytesPerNode / megabyte, need);
+  };
+  const ControlGrid measured = chosen(19); // 4 + 36 / 7.6 + 10
+  EXPECT_EQ(measured.factor, 2);
+  EXPECT_TRUE(measured.measuresData);
+  const ControlGrid tight = chosen(18);
+  EXPECT_EQ(tight.factor, 2);
+  EXPECT_FALSE(tight.measuresData);
+  EXPECT_NEAR(measured.bytes - tight.bytes, 10 * double(grid.NodeCount()), 1);
 }
 
 TEST(ControlGrid, RefusesAChosenOneThatDoesNotFit)
@@ -156,18 +189,8 @@ TEST(CoarseFields, AreThoseOfAllLayersAtOnce)
     {
       const Grid grid = CoarseGrid(scene.grid, factor);
       const CoarseScene whole(prepared, smoothing, grid);
-      const CoarseFields inLayers = MakeCoarseFields(
-        scene.grid, grid, smoothing,
-        [&](const Range<int>& layers, float* base, float* importance)
-        {
-          const auto copy = [&](const std::vector<float>& field, float* to) {
-            std::copy(
-              field.begin() + perLayer * layers.begin, field.begin() + perLayer * layers.end, to);
-          };
-          copy(scene.extinction, base);
-          copy(scene.importance, importance);
-        },
-        3 * perLayer);
+      const CoarseFields inLayers =
+        MakeCoarseFields(scene.grid, grid, smoothing, LayersOf(scene), 3 * perLayer);
       const SceneFields expected = whole.Prepared()->Arrays();
       const auto all = [&](const float* field)
       { return std::vector<float>(field, field + grid.NodeCount()); };
@@ -208,6 +231,54 @@ TEST(ControlledScene, ShowsMoreThanTheBaseAndLittleLessThanFullResolution)
     EXPECT_LE(half.best.visibility, half.ceiling.visibility);
     EXPECT_EQ(half.lightExtinction.empty(), mode == Mode::Joint);
   }
+}
+
+TEST(ControlledScene, InLayersHasTheSameBits)
+{
+  BoxScene scene = Onion();
+  for (const auto& [smoothing, mode, protect, emphasis] :
+    { std::tuple(ImportanceSmoothing::Off, Mode::Joint, 0.5, 0.0),
+      std::tuple(ImportanceSmoothing::Median, Mode::Joint, 0.0, 1.0),
+      std::tuple(ImportanceSmoothing::Median, Mode::Separate, 0.7, 0.3) })
+  {
+    scene.settings.importanceSmoothing = smoothing;
+    scene.settings.mode = mode;
+    scene.settings.protectImportance = protect;
+    scene.settings.emphasis = emphasis;
+    const ControlledScene whole(scene.Fields(), Coarser(2), smoothing);
+    SceneFields data;
+    data.grid = scene.grid;
+    data.majorant = scene.Fields().majorant;
+    const ControlledScene inLayers(data, LayersOf(scene), Coarser(2), smoothing);
+    EXPECT_TRUE(inLayers.IsCoarser() && inLayers.IsInLayers() && !inLayers.MeasuresData());
+    EXPECT_FALSE(whole.IsInLayers());
+    EXPECT_EQ(inLayers.Fields().majorant, whole.Fields().majorant);
+
+    const bool separate = mode == Mode::Separate;
+    const auto filled = [&](const ControlledScene& controlled)
+    {
+      Solver solver(controlled.Fields(), scene.camera, scene.light, scene.settings);
+      solver.Run();
+      std::vector<float> both(scene.extinction.size() * (separate ? 2 : 1));
+      controlled.FillExtinction(
+        solver, both.data(), separate ? both.data() + scene.extinction.size() : nullptr);
+      return both;
+    };
+    const std::vector<float> expected = filled(whole);
+    ExpectSame(filled(inLayers), expected, "extinction");
+    EXPECT_NE(
+      std::vector<float>(expected.begin(), expected.begin() + Index(scene.extinction.size())),
+      scene.extinction);
+  }
+}
+
+TEST(ControlledScene, InLayersRefusesAnExtinctionThatTheEnergyDoesNotAllow)
+{
+  BoxScene scene = Onion();
+  scene.extinction[7] = 3.2e38f;
+  SceneFields data;
+  data.grid = scene.grid;
+  EXPECT_THROW(ControlledScene(data, LayersOf(scene), Coarser(2), ImportanceSmoothing::Off), Error);
 }
 
 TEST(ControlledScene, KeepsTheBoundsOfTheData)

@@ -6,10 +6,12 @@
 import unittest
 
 import numpy as np
+from vtkmodules.util.numpy_support import numpy_to_vtk
+from vtkmodules.vtkCommonDataModel import vtkImageData
 
 from limpid.vtkLimpidFilters import vtkExtinctionOptimizer
 
-from images import FilterTest, filter_on, phantom, values
+from images import FilterTest, filter_on, function_of, image_of, phantom, values
 from mapper_tests import MapperTest, show
 from volume_views import difference
 from volume_views import phantom as volume
@@ -73,6 +75,45 @@ class TestFilter(FilterTest):
             self.assertNotIn(name, names_of(output))
         self.assertTrue((values(output, "Extinction") <= values(output, "BaseExtinction")).all())
         self.assertGreater(number(output, "VisibleFraction"), number(output, "BaseVisibleFraction"))
+
+    def test_converts_fields_in_layers_where_they_do_not_fit(self):
+        scalars = np.random.default_rng(3).random(40**3).astype(np.float32)
+        scalars[5::301] = np.nan
+        arrays = {"BaseExtinction": 0.3 * scalars - 0.001, "Importance": 1.001 * scalars}
+        functions = {"ExtinctionSource": vtkExtinctionOptimizer.OPACITY_FUNCTION,
+                     "ScalarOpacityFunction": function_of((0, 0), (1, 0.4)),
+                     "ImportanceFunction": function_of((0.5, 0), (1, 1)),
+                     "UseImportanceFunction": 1}
+        for properties in ({}, functions, {"Mode": 1}, {"ImportanceSmoothing": 0},
+                           {"ProtectImportance": 0.5, "Emphasis": 0.5}):
+            with self.subTest(**properties):
+                image = image_of((40, 40, 40), Scalars=scalars, **arrays)
+                image.GetPointData().SetActiveScalars("Scalars")
+                # Flags of blanked points, of which there are none, need the fields as a whole.
+                whole = vtkImageData()
+                whole.ShallowCopy(image)
+                flags = numpy_to_vtk(np.zeros(40**3, np.uint8), deep=1)
+                flags.SetName("vtkGhostType")
+                whole.GetPointData().AddArray(flags)
+                bytes_per_point = 38.5 if "Mode" in properties else 30
+                expected, found = (
+                    filter_on(one, vtkExtinctionOptimizer,
+                              MemoryLimit=40**3 * bytes_per_point * 1e-6, **properties)
+                    for one in (whole, image))
+                for result in (expected, found):
+                    result.Update()
+                self.assertEqual(*(result.messages["WarningEvent"][0].split("): ")[1]
+                                   for result in (expected, found)))
+                self.assertIn("213 of 64000 points", found.messages["WarningEvent"][0])
+                left = found.messages["WarningEvent"][1]
+                self.assertIn('"BaseExtinction", "Importance"', left)
+                for name in ("ControlFactor", "VisibleFraction", "AttainableFraction", "Energy"):
+                    self.assertEqual(
+                        *(number(result.GetOutput(), name) for result in (expected, found)))
+                for name in ("Extinction", "Opacity", *(["LightExtinction"] if "Mode" in properties
+                                                        else [])):
+                    np.testing.assert_array_equal(
+                        *(values(result.GetOutput(), name) for result in (expected, found)))
 
     def test_refuses_a_resolution_above_a_chosen_limit(self):
         self.assert_refuses("full resolution", "MemoryLimit", "ControlResolution", filter_=filter_on(

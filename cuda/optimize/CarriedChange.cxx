@@ -49,17 +49,22 @@ std::vector<float> Applied(const SceneFields& scene, const ScenePiece& to, float
           << " nodes (it belongs to another grid). Give one value per node.");
     });
   std::vector<float> values = ResampledIn(from, change.grid, ofBase.data(), scene.grid, to.boxes);
+  const ChangedNode changed{ majorant };
   ParallelFor(static_cast<Index>(values.size()), valuesPerTask,
     [&](Index node)
     {
       float& value = values[std::size_t(node)];
-      const float base = scene.baseExtinction[node];
-      const bool empty = !(base > 0) && !(scene.importance[node] > 0);
-      const float room = value < 0 ? base : std::max(majorant - base, 0.0f);
-      value = empty ? 0.0f : base + std::clamp(value, -1.0f, 1.0f) * room;
+      value = changed(value, scene.baseExtinction[node], scene.importance[node]);
     });
   return values;
 }
+}
+
+float ChangedNode::operator()(float change, float base, float importance) const
+{
+  const bool empty = !(base > 0) && !(importance > 0);
+  const float room = change < 0 ? base : std::max(this->majorant - base, 0.0f);
+  return empty ? 0.0f : base + std::clamp(change, -1.0f, 1.0f) * room;
 }
 
 Index CarriedChange::ValueCount() const

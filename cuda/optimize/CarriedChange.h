@@ -62,6 +62,15 @@ CarriedChange Gathered(CarriedChange change, const Grid& coarser);
 std::vector<float> ChangeOf(
   Index count, const float* base, const float* extinction, float majorant);
 
+/// The extinction that results from a change at a node.
+struct ChangedNode
+{
+  float majorant; ///< [1/length]
+
+  /// `change`: c; `base`: of the node [1/length]; `importance`: of the node [0, 1].
+  float operator()(float change, float base, float importance) const;
+};
+
 /// The extinctions that result from a change, one value per node each [1/length].
 struct CarriedExtinction
 {

@@ -4,7 +4,6 @@
 #include "optimize/CoarseFields.h"
 
 #include "energy/Despeckle.h"
-#include "scene/NodeValues.h"
 #include "scene/Resampling.h"
 
 #include <algorithm>
@@ -34,42 +33,66 @@ SceneFields CoarseFields::Scene() const
   return scene;
 }
 
+Index NodesAtATime(const Grid& data)
+{
+  constexpr Index fewest = 1 << 18;
+  constexpr Index most = 1 << 22;
+  return std::clamp(data.NodeCount() / 32, fewest, most);
+}
+
+SceneLayers::SceneLayers(const Grid& data, bool despeckles, const FieldsOfLayers& ofLayers)
+  : Data(data)
+  , Despeckles(despeckles)
+  , OfLayers(&ofLayers)
+{
+}
+
+void SceneLayers::MoveTo(const Range<int>& layers)
+{
+  const Range<int> read = Grown(layers, this->Despeckles ? 1 : 0, this->Data.nodes.z);
+  const Index nodes = this->PerLayer() * read.Length();
+  this->Offset = this->PerLayer() * (layers.begin - read.begin);
+  this->Base.resize(std::size_t(nodes));
+  this->Given.resize(std::size_t(nodes));
+  (*this->OfLayers)(read, this->Base.data(), this->Given.data());
+  if (this->Despeckles)
+  {
+    Grid here = this->Data;
+    here.nodes.z = read.Length();
+    this->Smooth = NodeValues(nodes);
+    Despeckle(here, this->Base.data(), this->Given.data(), this->Smooth.Data());
+  }
+}
+
 CoarseFields MakeCoarseFields(const Grid& data, const Grid& coarse, ImportanceSmoothing smoothing,
   const FieldsOfLayers& ofLayers, Index nodesAtATime)
 {
   const bool despeckles = smoothing == ImportanceSmoothing::Median;
   const GridFilter filter(data.nodes, coarse.nodes);
-  const Index perLayer = Index(data.nodes.x) * data.nodes.y;
+  SceneLayers fine(data, despeckles, ofLayers);
   const int factor = std::max(data.nodes.z / coarse.nodes.z, 1);
-  const int atATime = static_cast<int>(std::max<Index>(nodesAtATime / (perLayer * factor), 1));
+  const int atATime =
+    static_cast<int>(std::max<Index>(nodesAtATime / (fine.PerLayer() * factor), 1));
   CoarseFields made;
   made.grid = coarse;
   const auto count = std::size_t(coarse.NodeCount());
   made.baseExtinction.reserve(count);
   made.importance.reserve(count);
   made.despeckled.reserve(despeckles ? count : 0);
-  std::vector<float> base;
-  std::vector<float> importance;
   for (int begin = 0; begin < coarse.nodes.z; begin += atATime)
   {
     NodeBox box = NodeBox::Of(coarse.nodes);
     box.along[2] = { begin, std::min(begin + atATime, coarse.nodes.z) };
-    const Range<int> sources = filter.SourcesOf(box).along[2];
-    const Range<int> layers = Grown(sources, despeckles ? 1 : 0, data.nodes.z);
-    const Index nodes = perLayer * layers.Length();
-    const Index offset = perLayer * (sources.begin - layers.begin);
-    base.resize(std::size_t(nodes));
-    importance.resize(std::size_t(nodes));
-    ofLayers(layers, base.data(), importance.data());
-    Append(filter, base.data() + offset, box, mostExtinction, made.baseExtinction);
-    Append(filter, importance.data() + offset, box, 1.0f, made.importance);
+    const Range<int> layers = filter.SourcesOf(box).along[2];
+    fine.MoveTo(layers);
+    const float* base = fine.BaseExtinction();
+    made.largestExtinction = std::max(
+      made.largestExtinction, *std::max_element(base, base + fine.PerLayer() * layers.Length()));
+    Append(filter, base, box, mostExtinction, made.baseExtinction);
+    Append(filter, fine.Importance(), box, 1.0f, made.importance);
     if (despeckles)
     {
-      Grid here = data;
-      here.nodes.z = layers.Length();
-      NodeValues values(nodes);
-      Despeckle(here, base.data(), importance.data(), values.Data());
-      Append(filter, values.Data() + offset, box, 1.0f, made.despeckled);
+      Append(filter, fine.Despeckled(), box, 1.0f, made.despeckled);
     }
   }
   return made;

@@ -81,9 +81,7 @@ std::vector<float> CoarseProblem::ChangedOn(
     {
       float& value = extinction[std::size_t(voxel)];
       const float base = bases[voxel];
-      const float importance = importances[voxel];
-      const bool empty = !(base > 0) && !(importance > 0);
-      value = empty ? 0.0f : bounds.Clamp(base + value, importance, base);
+      value = bounds.Within(base + value, importances[voxel], base);
     });
   return extinction;
 }

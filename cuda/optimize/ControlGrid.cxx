@@ -88,11 +88,12 @@ ControlGrid ChooseControlGrid(
     const double share =
       double(CoarseGrid(data, factor).NodeCount()) / std::max(double(data.NodeCount()), 1.0);
     const double each = need.ofData + need.ofControl * share;
+    const double measured = each + (factor > 1 ? need.measuring : 0);
     grid.factor = factor;
-    grid.bytes = nodes * each;
+    grid.measuresData = measured * perNode <= 1;
+    grid.bytes = nodes * (grid.measuresData ? measured : each);
     return each * perNode <= 1;
   };
-  grid.fitsData = fits(1);
   if (settings.controlResolution != ControlResolution::FinestThatFits)
   {
     const bool isWithin = fits(FactorOf(settings.controlResolution));

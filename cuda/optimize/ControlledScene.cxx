@@ -3,10 +3,15 @@
 
 #include "optimize/ControlledScene.h"
 
+#include "backend/Backend.h"
+#include "math/Require.h"
 #include "optimize/CoarseScene.h"
+#include "optimize/ExtinctionBounds.h"
 #include "optimize/SceneStructures.h"
 #include "optimize/Solver.h"
 #include "scene/Resampling.h"
+
+#include <algorithm>
 
 namespace limpid
 {
@@ -26,6 +31,22 @@ ControlledScene::ControlledScene(
   this->Prepared->FreeNodeImportance();
 }
 
+ControlledScene::ControlledScene(const SceneFields& data, const FieldsOfLayers& ofLayers,
+  const ControlGrid& control, ImportanceSmoothing smoothing)
+  : Chosen(control)
+  , OfData(data)
+  , OfLayers(ofLayers)
+  , Layered(MakeCoarseFields(data.grid, CoarseGrid(data.grid, control.factor), smoothing,
+      this->OfLayers, NodesAtATime(data.grid)))
+{
+  const float largest = this->Layered->largestExtinction;
+  LIMPID_REQUIRE(largest <= mostExtinction,
+    "The base extinction of a voxel is " << largest
+                                         << " (the energy of Eq. (21) is not defined for it). Keep "
+                                            "it finite and not negative.");
+}
+
+ControlledScene::ControlledScene(ControlledScene&&) noexcept = default;
 ControlledScene::~ControlledScene() = default;
 
 void ControlledScene::PrepareData(const SceneFields& data)
@@ -40,7 +61,13 @@ void ControlledScene::PrepareData(const SceneFields& data)
 
 SceneFields ControlledScene::Fields() const
 {
-  return this->IsCoarser() ? this->Coarse->Prepared()->Arrays() : this->OfData;
+  if (this->Layered)
+  {
+    SceneFields fields = this->Layered->Scene();
+    fields.majorant = std::max(this->OfData.majorant, this->Layered->largestExtinction);
+    return fields;
+  }
+  return this->Coarse ? this->Coarse->Prepared()->Arrays() : this->OfData;
 }
 
 void ControlledScene::Start(Solver& solver, const float* extinction) const
@@ -76,6 +103,62 @@ CarriedExtinction ControlledScene::ExtinctionOnData(const Solver& found) const
     problem.TakeIntoBounds(applied.light);
   }
   return applied;
+}
+
+void ControlledScene::FillExtinction(const Solver& found, float* extinction, float* light) const
+{
+  if (this->Layered)
+  {
+    const CarriedChange change = found.Change();
+    this->FillLayers(found, change.ofExtinction, extinction);
+    if (light)
+    {
+      this->FillLayers(found, change.ofLight, light);
+    }
+    return;
+  }
+  const CarriedExtinction applied = this->ExtinctionOnData(found);
+  std::copy(applied.extinction.begin(), applied.extinction.end(), extinction);
+  if (light)
+  {
+    std::copy(applied.light.begin(), applied.light.end(), light);
+  }
+}
+
+/// Writes one of the extinctions, a few layers at a time. `ofBase`: see CarriedChange.
+void ControlledScene::FillLayers(
+  const Solver& found, const std::vector<float>& ofBase, float* extinction) const
+{
+  const Settings& settings = found.Options();
+  const Grid& grid = this->OfData.grid;
+  const bool despeckles =
+    settings.protectImportance > 0 && settings.importanceSmoothing == ImportanceSmoothing::Median;
+  SceneLayers fields(grid, despeckles, this->OfLayers);
+  const GridFilter filter(this->Layered->grid.nodes, grid.nodes);
+  const auto majorant = static_cast<float>(found.Majorant());
+  const ChangedNode changed{ majorant };
+  const ExtinctionBounds<float> bounds = BoundsOf(settings, majorant);
+  const int atATime = static_cast<int>(std::max<Index>(NodesAtATime(grid) / fields.PerLayer(), 1));
+  const Index perCoarseLayer = Index(this->Layered->grid.nodes.x) * this->Layered->grid.nodes.y;
+  for (int begin = 0; begin < grid.nodes.z; begin += atATime)
+  {
+    NodeBox box = NodeBox::Of(grid.nodes);
+    const Range<int> layers{ begin, std::min(begin + atATime, grid.nodes.z) };
+    box.along[2] = layers;
+    fields.MoveTo(layers);
+    const float* base = fields.BaseExtinction();
+    const float* important = despeckles ? fields.Despeckled() : fields.Importance();
+    const std::vector<float> change = ResampledBox(
+      filter, ofBase.data() + perCoarseLayer * filter.SourcesOf(box).along[2].begin, box);
+    float* out = extinction + fields.PerLayer() * begin;
+    ParallelFor(box.Count(), 65536,
+      [&](Index node)
+      {
+        const float value =
+          changed(change[std::size_t(node)], base[node], fields.Importance()[node]);
+        out[node] = bounds.Within(value, important[node], base[node]);
+      });
+  }
 }
 
 std::unique_ptr<Solver> ControlledScene::OnData(const Solver& found) const

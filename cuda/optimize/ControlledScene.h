@@ -5,11 +5,13 @@
 #define limpid_optimize_ControlledScene_h
 
 #include "optimize/CarriedChange.h"
+#include "optimize/CoarseFields.h"
 #include "optimize/ControlGrid.h"
 #include "optimize/SceneFields.h"
 #include "scene/Structures.h"
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace limpid
@@ -26,17 +28,29 @@ public:
   /// The caller owns the fields. Throws limpid::Error if they are invalid and the grid is coarser.
   ControlledScene(
     const SceneFields& data, const ControlGrid& control, ImportanceSmoothing smoothing);
+
+  /// A scene whose fields are made a few layers at a time, since they do not fit into memory as a
+  /// whole. Of `data`, only the grid and the majorant are read. A process alone only; the control
+  /// grid is coarser. Throws limpid::Error if the fields are invalid.
+  ControlledScene(const SceneFields& data, const FieldsOfLayers& ofLayers,
+    const ControlGrid& control, ImportanceSmoothing smoothing);
+  ControlledScene(ControlledScene&&) noexcept;
   ~ControlledScene();
 
   const ControlGrid& Control() const { return this->Chosen; }
   const SceneFields& Data() const { return this->OfData; }
-  bool IsCoarser() const { return this->Coarse != nullptr; }
+  bool IsCoarser() const { return this->Coarse || this->Layered; }
+
+  /// Whether the fields of the data are made a few layers at a time.
+  bool IsInLayers() const { return this->Layered.has_value(); }
 
   /// Whether results of a coarser grid are to be measured on the data, for which there is room.
-  bool MeasuresData() const { return this->IsCoarser() && this->Chosen.fitsData; }
+  bool MeasuresData() const { return this->Coarse && this->Chosen.measuresData; }
 
   /// The scene to solve: on the control grid, which may be that of the data.
   SceneFields Fields() const;
+
+  // Not for fields that are made in layers, up to OnData:
 
   /// Sets the initial extinction of a solver of Fields(). `extinction`: at the nodes of the data
   /// [1/length].
@@ -53,15 +67,21 @@ public:
   /// than the base extinction does, it has none (Solver). Requires IsCoarser().
   std::unique_ptr<Solver> OnData(const Solver& found) const;
 
-  /// Returns the extinctions of the data with this change, within their bounds. It takes less
-  /// memory than OnData, and nothing is measured. Requires IsCoarser().
-  CarriedExtinction ExtinctionOnData(const Solver& found) const;
+  /// Writes the extinctions of the data with this change, within their bounds [1/length]. It takes
+  /// less memory than OnData, and nothing is measured. `light`: out: of a separate extinction for
+  /// the light; null if there is none. Requires IsCoarser().
+  void FillExtinction(const Solver& found, float* extinction, float* light) const;
 
 private:
+  CarriedExtinction ExtinctionOnData(const Solver& found) const;
+  void FillLayers(const Solver& found, const std::vector<float>& ofBase, float* extinction) const;
+
   ControlGrid Chosen;
   SceneFields OfData;
   std::shared_ptr<PreparedScene> Prepared; ///< of the data; null: there is no other grid
-  std::unique_ptr<CoarseScene> Coarse;     ///< on the control grid; null: it is that of the data
+  std::unique_ptr<CoarseScene> Coarse;     ///< on the control grid; null: there is none like that
+  FieldsOfLayers OfLayers;                 ///< empty: the data are here
+  std::optional<CoarseFields> Layered;     ///< on the control grid, made of layers
 };
 }
 

@@ -35,6 +35,13 @@ struct ExtinctionBounds
     return atLeast < most ? atLeast : most;
   }
 
+  /// Clamp, and 0 at an empty voxel.
+  LIMPID_HD LIMPID_INLINE Real Within(Real wanted, Real importance, Real base) const
+  {
+    const bool empty = !(base > 0) && !(importance > 0);
+    return empty ? Real(0) : this->Clamp(wanted, importance, base);
+  }
+
   LIMPID_HD LIMPID_INLINE Real Most(Real base) const
   {
     return MostExtinction<Real>{ this->emphasis, this->majorant }(base);
@@ -47,11 +54,15 @@ inline MostExtinction<float> MostOf(const Problem& problem)
   return { static_cast<float>(problem.settings.emphasis), problem.majorant };
 }
 
+inline ExtinctionBounds<float> BoundsOf(const Settings& settings, float majorant)
+{
+  return { static_cast<float>(settings.protectImportance), static_cast<float>(settings.emphasis),
+    majorant };
+}
+
 inline ExtinctionBounds<float> BoundsOf(const Problem& problem)
 {
-  const Settings& settings = problem.settings;
-  return { static_cast<float>(settings.protectImportance), static_cast<float>(settings.emphasis),
-    problem.majorant };
+  return BoundsOf(problem.settings, problem.majorant);
 }
 }
 

@@ -184,10 +184,7 @@ void Problem::TakeIntoBounds(std::vector<float>& extinction) const
     [&](Index voxel)
     {
       float& value = extinction[std::size_t(voxel)];
-      const float base = this->baseExtinction[voxel];
-      const float important = this->importance[voxel];
-      const bool empty = !(base > 0) && !(important > 0);
-      value = empty ? 0.0f : bounds.Clamp(value, important, base);
+      value = bounds.Within(value, this->importance[voxel], this->baseExtinction[voxel]);
     });
 }
 
