@@ -235,36 +235,37 @@ bool vtkExtinctionOptimizer::Internals::HasTwoExtinctions() const
 
 // Returns the memory of a run in addition to its input, including results, for an image in which
 // every point matters. Measured by Testing/Benchmarks/filter_memory.py with 192^3 and 256^3 points,
-// a camera along y and a thick medium: 54 bytes per point with the policy and the extinction alone,
-// 60 with all arrays, 68 in separate mode, 88 if the viewpoint is optimised; 93 and 126 with Adam.
-// Counted: the last change, and the fields derived from it in two orders.
+// a camera along y and a thick medium: 46 bytes per point with the policy and the extinction alone,
+// 55 with all arrays, 57 and 71 in separate mode, 59 with temporal coherence (73 in separate mode),
+// 94 if the viewpoint is optimised, and 86 with Adam; 5 less without despeckling.
 double vtkExtinctionOptimizer::Internals::BytesPerPoint() const
 {
   const bool adam = this->Self->GetSolver() == ADAM;
   const bool two = this->HasTwoExtinctions();
-  const double minimised = adam ? 83 : 44;
-  const std::set<std::string>& wanted = this->Self->ResultArrays;
-  const bool sweeps = wanted.count("Transmittance") > 0 || wanted.count("LightTransmittance") > 0 ||
-    wanted.count("MissedImportance") > 0;
-  const double results = sweeps && !adam ? 11 : 0;
-  const double separate = two && !adam ? 9 : 0;
-  const double viewpoint = this->Self->OptimizeViewpoint ? 34 : 0;
-  const double despeckled = this->Self->GetImportanceSmoothing() == MEDIAN ? 10 : 0;
-  const double coherent = this->Self->GetTemporalCoherence() > 0 ? (two ? 24 : 12) : 0;
+  const double minimised = adam ? 82 : 42;
+  const double results = this->WantedArrays().OfSweeps().Count() > 0 && !adam ? 9 : 0;
+  const double separate = two && !adam ? (results > 0 ? 15 : 12) : 0;
+  const double viewpoint = this->Self->OptimizeViewpoint ? 47 : 0;
+  const double despeckled = this->Self->GetImportanceSmoothing() == MEDIAN ? 5 : 0;
+  const double coherent = this->Self->GetTemporalCoherence() > 0 ? (two ? 16 : 12) : 0;
   return minimised + results + separate + viewpoint + despeckled + coherent;
 }
 
 // Returns this memory in parts. Of the data, there are the extinctions that are written; both
 // fields and what is derived from them, unless they are converted in layers; and if results are
-// measured, what sweeps need.
+// measured, what sweeps need. Measured like the above at half and a third of the resolution: 22
+// bytes per point of the data and 5 of an eighth of them, 40 and 7 with all arrays, 32 and 7 in
+// separate mode, 5 and 5 in layers.
 limpid::NeedPerNode vtkExtinctionOptimizer::Internals::Need() const
 {
-  const bool opacity = this->Self->ResultArrays.count("Opacity") > 0;
-  const double extinctions = this->HasTwoExtinctions() ? 8 : 4;
-  const double written = extinctions + (opacity ? 4 : 0);
+  const limpid::ResultArrays wanted = this->WantedArrays();
+  const bool two = this->HasTwoExtinctions();
+  const double extinctions = two ? 8 : 4;
+  const double written = extinctions + (wanted.Has("Opacity") ? 4 : 0);
+  const double ofSweeps = wanted.OfSweeps().Count() > 0 ? 4 * wanted.OfSweeps().Count() + 2 : 0;
   limpid::NeedPerNode need;
-  need.ofData = written + (this->SuitsLayers ? 1.5 : 12 + extinctions);
-  need.measuring = written + 14 + extinctions - need.ofData;
+  need.ofData = written + (this->SuitsLayers ? 2.5 : 13 + extinctions);
+  need.measuring = written + extinctions + ofSweeps + (two ? 17 : 15) - need.ofData;
   need.ofControl = this->BytesPerPoint() - need.ofData;
   return need;
 }

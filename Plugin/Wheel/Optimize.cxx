@@ -34,8 +34,9 @@ namespace limpid::python
 {
 namespace
 {
-// Memory of an optimisation beside its input.
-constexpr NeedPerNode need{ 12, 24 };
+// Memory of an optimisation beside its input: that of the filter without both fields, see
+// Filters/vtkExtinctionOptimizerInternals.cxx.
+constexpr NeedPerNode need{ 13, 26, 2 };
 
 // The input and the settings of an optimisation.
 struct Run

@@ -10,6 +10,7 @@
 # put "ulimit -v <KiB>" before the command.
 
 import sys
+import time
 
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk
@@ -79,8 +80,14 @@ def main():
     with open("/proc/self/clear_refs", "w") as file:
         file.write("5")  # forgets the peak so far
     before = bytes_in("VmRSS")
+    start = time.perf_counter()
     filter_.Update()
-    print(f"{(bytes_in('VmHWM') - before) / int(points) ** 3:.1f} bytes per point")
+    seconds = time.perf_counter() - start
+    peak = bytes_in("VmHWM")
+    score = filter_.GetOutput().GetFieldData().GetArray("VisibleFraction")
+    print(f"{(peak - before) / int(points) ** 3:.1f} bytes per point, {seconds:.1f} s, "
+          f"peak of the process {peak / 1e9:.2f} GB"
+          + (f", {100 * score.GetTuple1(0):.2f} % visible" if score else ""))
 
 
 if __name__ == "__main__":

@@ -5,6 +5,7 @@
 
 #include "backend/Simd.h"
 #include "backend/SlidingRows.h"
+#include "math/FloatLanes.h"
 
 #include <algorithm>
 #include <array>
@@ -13,9 +14,9 @@ namespace limpid
 {
 namespace
 {
-constexpr int needed = 8;     // neighbours on either side for a value to stay
-constexpr int lanes = 16;     // nodes per block
-constexpr int rowsAround = 9; // the row itself and its neighbours
+constexpr int needed = 8;                // neighbours on either side for a value to stay
+constexpr int lanes = FloatLanes::count; // nodes per block
+constexpr int rowsAround = 9;            // the row itself and its neighbours
 constexpr int ownRow = rowsAround / 2;
 
 /// Rows padded by one node in front and `lanes` behind, so that whole blocks can be read.
@@ -44,99 +45,82 @@ bool Pad(const float* __restrict row, int count, float* __restrict padded)
   return other != 0;
 }
 
-/// Returns the larger or the smaller of two values.
-template <bool larger>
-LIMPID_INLINE float Outer(float a, float b)
+/// Calls visit(values) for the neighbours of the nodes of a block from `x` on.
+template <class Visit>
+LIMPID_INLINE void ForNeighbors(const RowsAround& rows, int x, const Visit& visit)
 {
-  return larger == (a > b) ? a : b;
-}
-
-/// Finds the eighth largest or smallest neighbour of the nodes of a block.
-template <bool largest>
-LIMPID_INLINE void FindEighth(const RowsAround& rows, int x, float* __restrict eighth)
-{
-  constexpr float nothing = largest ? -1e30f : 1e30f;
-  float sorted[needed][lanes];
-  for (auto& values : sorted)
-  {
-    std::fill_n(values, lanes, nothing);
-  }
   for (int r = 0; r < rowsAround; ++r)
   {
     for (int dx = 0; dx < 3; ++dx)
     {
-      if (r == ownRow && dx == 1)
+      if (r != ownRow || dx != 1)
       {
-        continue;
-      }
-      float rest[lanes];
-      std::copy_n(rows[std::size_t(r)] + x + dx, lanes, rest);
-      for (auto& values : sorted)
-      {
-        for (int i = 0; i < lanes; ++i)
-        {
-          const float outer = Outer<largest>(values[i], rest[i]);
-          rest[i] = Outer<!largest>(values[i], rest[i]);
-          values[i] = outer;
-        }
+        visit(FloatLanes::Load(rows[std::size_t(r)] + x + dx));
       }
     }
   }
-  std::copy_n(sorted[needed - 1], lanes, eighth);
+}
+
+/// Returns the eighth largest or smallest neighbour of the nodes of a block.
+template <bool largest>
+LIMPID_INLINE FloatLanes FindEighth(const RowsAround& rows, int x)
+{
+  FloatLanes sorted[needed]; // outermost first
+  for (FloatLanes& values : sorted)
+  {
+    values = largest ? -1e30f : 1e30f;
+  }
+  ForNeighbors(rows, x,
+    [&sorted](const FloatLanes& neighbor) LIMPID_INLINE_LAMBDA
+    {
+      FloatLanes rest = neighbor;
+      LIMPID_UNROLL(8)
+      for (int n = 0; n < needed; ++n)
+      {
+        const FloatLanes kept = sorted[n];
+        const IntLanes isLarger = kept > rest;
+        sorted[n] = largest ? Select(isLarger, kept, rest) : Select(isLarger, rest, kept);
+        rest = largest ? Select(isLarger, rest, kept) : Select(isLarger, kept, rest);
+      }
+    });
+  return sorted[needed - 1];
 }
 
 LIMPID_MULTIVERSION
 void DespeckleRow(
   const RowsAround& rows, const float* __restrict baseExtinction, int count, float* __restrict out)
 {
+  constexpr int neighbors = 26;
   for (int x = 0; x < count; x += lanes)
   {
-    const float* own = rows[ownRow] + x + 1;
-    int asLarge[lanes] = {}; // number of such nodes, including the node itself
-    int asSmall[lanes] = {};
-    for (const float* row : rows)
-    {
-      for (int dx = 0; dx < 3; ++dx)
+    const FloatLanes own = FloatLanes::Load(rows[ownRow] + x + 1);
+    IntLanes smaller = 0; // minus their number
+    IntLanes larger = 0;
+    ForNeighbors(rows, x,
+      [&](const FloatLanes& neighbor) LIMPID_INLINE_LAMBDA
       {
-        for (int i = 0; i < lanes; ++i)
-        {
-          const float value = row[x + dx + i];
-          asLarge[i] += value >= own[i] ? 1 : 0;
-          asSmall[i] += value <= own[i] ? 1 : 0;
-        }
-      }
-    }
-    float result[lanes];
-    int tooLarge = 0;
-    int tooSmall = 0;
-    for (int i = 0; i < lanes; ++i)
+        smaller = smaller + (neighbor < own);
+        larger = larger + (neighbor > own);
+      });
+    FloatLanes result = own;
+    if (AnyOf(smaller < needed - neighbors)) // fewer than `needed` are as large
     {
-      result[i] = own[i];
-      tooLarge |= asLarge[i] <= needed ? 1 : 0;
-      tooSmall |= asSmall[i] <= needed ? 1 : 0;
+      const FloatLanes eighth = FindEighth<true>(rows, x);
+      result = Select(eighth < result, eighth, result);
     }
-    float eighth[lanes];
-    if (tooLarge)
+    if (AnyOf(larger < needed - neighbors))
     {
-      FindEighth<true>(rows, x, eighth);
-      for (int i = 0; i < lanes; ++i)
-      {
-        result[i] = std::min(result[i], eighth[i]);
-      }
+      const FloatLanes eighth = FindEighth<false>(rows, x);
+      result = Select(result < eighth, eighth, result);
     }
-    if (tooSmall)
-    {
-      FindEighth<false>(rows, x, eighth);
-      for (int i = 0; i < lanes; ++i)
-      {
-        result[i] = std::max(result[i], eighth[i]);
-      }
-    }
+    float despeckled[lanes];
+    result.Store(despeckled);
+    const float* given = rows[ownRow] + x + 1;
     const int here = std::min(lanes, count - x);
     for (int i = 0; i < here; ++i)
     {
-      const bool filled = (baseExtinction[x + i] > 0) | (own[i] > 0);
-      out[x + i] = filled ? result[i] : 0.0f;
+      const bool filled = (baseExtinction[x + i] > 0) | (given[i] > 0);
+      out[x + i] = filled ? despeckled[i] : 0.0f;
     }
   }
 }
