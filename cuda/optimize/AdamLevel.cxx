@@ -77,29 +77,29 @@ public:
     return this->Energy.Record();
   }
 
-  std::vector<float> Extinction() override { return this->OnHost(this->Now); }
+  std::vector<float> Extinction() override
+  {
+    return OnHost(*this->Device, this->Now.Data() + this->Own.Begin(), this->Own.Count());
+  }
 
   void KeepBest() override
   {
     this->Kept.RoomFor(this->Device, this->Now.Size(), "the best extinction");
     this->Device->Copy(this->Kept.Data() + this->Own.Begin(), this->Now.Data() + this->Own.Begin(),
       std::size_t(this->Own.Count()) * sizeof(float));
-    this->Readable.clear();
+    this->Readable.Outdate();
   }
 
   const std::vector<float>& Best() override
   {
-    if (this->Readable.empty())
-    {
-      this->Readable = this->OnHost(this->Kept);
-    }
-    return this->Readable;
+    return this->Readable.Of(
+      *this->Device, this->Kept.Data() + this->Own.Begin(), this->Own.Count());
   }
 
   std::vector<float> TakeBest() override
   {
     this->Best();
-    return std::move(this->Readable);
+    return this->Readable.Take();
   }
 
 private:
@@ -108,11 +108,6 @@ private:
     const float* base = this->Given.baseExtinction + this->Own.Begin();
     return this->Energy.Everywhere(
       start ? *start : std::vector<float>(base, base + this->Own.Count()));
-  }
-
-  std::vector<float> OnHost(const Field& field) const
-  {
-    return limpid::OnHost(*this->Device, field.Data() + this->Own.Begin(), this->Own.Count());
   }
 
   const Problem& Given;
@@ -124,7 +119,7 @@ private:
   Field Gradient; ///< empty before the first step
   Field First;
   Field Second;
-  std::vector<float> Readable; ///< the best iterate on the host; empty until requested
+  FieldOnHost Readable; ///< the best iterate
 };
 }
 

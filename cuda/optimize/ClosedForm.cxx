@@ -35,7 +35,7 @@ public:
     FindByMethod(this->Device, this->Given, this->Energy.Fields(), this->Found.Data());
     IterationRecord record = this->Energy.Measure(this->Found.Data());
     record.isResult = true;
-    this->OnHost.clear();
+    this->Readable.Outdate();
     this->IsFound = true;
     return record;
   }
@@ -47,18 +47,14 @@ public:
 
   const std::vector<float>& Best() const override
   {
-    if (this->OnHost.empty())
-    {
-      this->OnHost =
-        limpid::OnHost(*this->Device, this->Found.Data(), static_cast<Index>(this->Found.Size()));
-    }
-    return this->OnHost;
+    return this->Readable.Of(
+      *this->Device, this->Found.Data(), static_cast<Index>(this->Found.Size()));
   }
 
   std::vector<float> TakeBest() override
   {
     this->Best();
-    return std::move(this->OnHost);
+    return this->Readable.Take();
   }
 
   ExtinctionOnDevice BestOnDevice() const override
@@ -76,7 +72,7 @@ private:
   std::shared_ptr<AnyDevice> Device;
   Terms<AnyDevice> Energy;
   DeviceArray<AnyDevice, float> Found; ///< initially the base extinction
-  mutable std::vector<float> OnHost;   ///< empty until requested
+  mutable FieldOnHost Readable;        ///< its values
   bool IsFound = false;
 };
 }

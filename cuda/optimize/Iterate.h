@@ -47,6 +47,39 @@ std::vector<float> OnHost(AnyDevice& device, const float* field, Index count)
   return values;
 }
 
+/// A field of a device on the host, read on request. Its memory is kept for the next time.
+class FieldOnHost
+{
+public:
+  /// The field has changed.
+  void Outdate() { this->IsCurrent = false; }
+
+  /// Returns `count` values of a field, which are read if they have changed.
+  template <class AnyDevice>
+  const std::vector<float>& Of(AnyDevice& device, const float* field, Index count)
+  {
+    if (!this->IsCurrent)
+    {
+      this->Values = this->Values.empty() ? RoomFor(count) : std::move(this->Values);
+      this->Values.resize(static_cast<std::size_t>(count));
+      device.Download(this->Values.data(), field, this->Values.size() * sizeof(float));
+      this->IsCurrent = true;
+    }
+    return this->Values;
+  }
+
+  /// Moves the values out.
+  std::vector<float> Take()
+  {
+    this->IsCurrent = false;
+    return std::exchange(this->Values, {});
+  }
+
+private:
+  std::vector<float> Values;
+  bool IsCurrent = false;
+};
+
 /// An iterate found on a device; empty if it is the base extinction.
 template <class AnyDevice>
 class ResultOn : public DeviceResult

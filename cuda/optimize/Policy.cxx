@@ -73,7 +73,7 @@ public:
   IterationRecord Iterate() override
   {
     [[maybe_unused]] const typename AnyDevice::Team team;
-    this->OnHost.clear();
+    this->Readable.Outdate();
     if (this->Refines())
     {
       this->FreeWhatSweepsNeed();
@@ -110,7 +110,7 @@ public:
   IterationRecord Smooth() override
   {
     [[maybe_unused]] const typename AnyDevice::Team team;
-    this->OnHost.clear();
+    this->Readable.Outdate();
     if (this->Now != this->BestOf)
     {
       this->GoBack();
@@ -151,12 +151,8 @@ public:
 
   const std::vector<float>& Best() const override
   {
-    if (this->OnHost.empty())
-    {
-      this->OnHost = limpid::OnHost(
-        *this->Device, this->Iterates[this->BestOf].values, this->Given->grid.NodeCount());
-    }
-    return this->OnHost;
+    return this->Readable.Of(
+      *this->Device, this->Iterates[this->BestOf].values, this->Given->grid.NodeCount());
   }
 
   void KeepOnlyBest() override
@@ -170,7 +166,7 @@ public:
   {
     this->KeepOnlyBest();
     this->Best();
-    return std::move(this->OnHost);
+    return this->Readable.Take();
   }
 
   ExtinctionOnDevice BestOnDevice() const override
@@ -612,7 +608,7 @@ private:
   std::size_t Now = 0;                                ///< index of the last iterate
   std::size_t BranchedAt = none;                      ///< index of the start of a descent
   std::size_t BestOf = 0;                             ///< index of the best iterate
-  mutable std::vector<float> OnHost;                  ///< the best iterate; empty: not read yet
+  mutable FieldOnHost Readable;                       ///< the best iterate
 };
 }
 

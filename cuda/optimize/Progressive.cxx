@@ -375,7 +375,7 @@ const float* Progressive::FoundForCamera() const
     case Shown::Preview:
       return state.LastPreview().Extinction();
     case Shown::Solver:
-      return state.solver->Extinction().data();
+      return state.solver->ExtinctionValues();
     case Shown::Kept:
       return state.kept.Of(false).OnHost().data();
     case Shown::Nothing:
@@ -403,7 +403,7 @@ const float* Progressive::FoundForLight() const
     case Shown::Preview:
       return state.LastPreview().LightExtinction();
     case Shown::Solver:
-      return HasLightExtinction(state.settings) ? state.solver->LightExtinction().data()
+      return HasLightExtinction(state.settings) ? state.solver->LightExtinctionValues()
                                                 : this->FoundForCamera();
     case Shown::Kept:
       return state.kept.Of(true).OnHost().data();

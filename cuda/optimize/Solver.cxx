@@ -109,6 +109,18 @@ const std::vector<float>& Solver::LightExtinction() const
   return state.OnBackend([&]() -> const std::vector<float>& { return state.LightExtinction(); });
 }
 
+const float* Solver::ExtinctionValues() const
+{
+  Internals& state = *this->State;
+  return state.OnBackend([&] { return state.Values(false); });
+}
+
+const float* Solver::LightExtinctionValues() const
+{
+  Internals& state = *this->State;
+  return state.OnBackend([&] { return state.Values(true); });
+}
+
 CarriedChange Solver::Change() const
 {
   const SceneFields& scene = this->State->scene;

@@ -71,8 +71,12 @@ public:
   /// Best iterate so far, grid.NodeCount() values [1/length].
   const std::vector<float>& Extinction() const;
 
+  /// Its values, possibly without a copy; valid until the next step.
+  const float* ExtinctionValues() const;
+
   /// The separate extinction for the light (HasLightExtinction) [1/length]; else empty.
   const std::vector<float>& LightExtinction() const;
+  const float* LightExtinctionValues() const; ///< likewise
 
   /// Returns the change of the base extinction, for another scene.
   CarriedChange Change() const;

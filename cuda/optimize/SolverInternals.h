@@ -335,6 +335,14 @@ struct Solver::Internals
     return this->minimizer && !this->lightRun ? this->minimizer->Best() : this->extinction.OnHost();
   }
 
+  /// Values of Extinction() or LightExtinction(), possibly without a copy.
+  const float* Values(bool ofLight) const
+  {
+    return this->minimizer && this->lightRun == ofLight
+      ? this->minimizer->BestValues()
+      : (ofLight ? this->lightExtinction : this->extinction).OnHost().data();
+  }
+
   /// Extinction, where it can be read without a transfer.
   ExtinctionInPlace InPlace() const
   {
