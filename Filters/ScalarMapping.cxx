@@ -164,8 +164,8 @@ struct MapWorker
       {
         for (vtkIdType i = begin; i < end; ++i)
         {
-          const auto tuple = tuples[this->first + i];
-          const int value = static_cast<int>(static_cast<Value>(tuple[chosen]));
+          const vtkIdType from = this->first + i;
+          const int value = static_cast<int>(static_cast<Value>(tuples[from][chosen]));
           this->field[i] = table[static_cast<std::size_t>(value - lowest)];
         }
       });

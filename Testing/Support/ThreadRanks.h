@@ -122,7 +122,10 @@ private:
     std::deque<std::vector<char>> messages;
   };
 
-  Way& From(int rank, int to) { return this->Ways[std::size_t(rank * this->Size + to)]; }
+  Way& From(int rank, int to)
+  {
+    return this->Ways[std::size_t(rank) * std::size_t(this->Size) + std::size_t(to)];
+  }
 
   void Post(Way& way, std::vector<char>&& bytes)
   {

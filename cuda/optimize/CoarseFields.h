@@ -13,8 +13,8 @@
 
 namespace limpid
 {
-/// Returns about how many nodes of the data are in memory where a few layers are made at a time: few
-/// of all, and as many as keep the processors busy.
+/// Returns about how many nodes of the data are in memory where a few layers are made at a time:
+/// few of all, and as many as keep the processors busy.
 Index NodesAtATime(const Grid& data);
 
 /// Writes base extinction and importance of a range of layers of nodes along the third axis, first

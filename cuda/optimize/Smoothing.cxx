@@ -60,7 +60,7 @@ void WriteRow(const SmoothedNode& node, const ColumnSums* const (&columns)[3], I
   const float* __restrict weightsAbove = columns[2]->weights.values;
   const float own = NeighborWeight(0, 0, 0);
   LIMPID_IVDEP // the pull may be written in place of the derivative
-  for (int x = 0; x < body.nodes.x; ++x)
+    for (int x = 0; x < body.nodes.x; ++x)
   {
     const auto around = [x](const float* row) { return row[x] + 2 * row[x + 1] + row[x + 2]; };
     const Index voxel = first + x;
