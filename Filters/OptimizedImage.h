@@ -36,7 +36,6 @@ public:
   explicit ResultArrays(const std::set<std::string>& names);
 
   bool Has(const std::string& name) const { return this->Names.count(name) > 0; }
-  int Count() const { return static_cast<int>(this->Names.size()); }
 
   /// Returns those that need a sweep through the data: transmittances and what is made of them.
   ResultArrays OfSweeps() const;

@@ -233,6 +233,15 @@ bool vtkExtinctionOptimizer::Internals::HasTwoExtinctions() const
   return this->Self->GetMode() == SEPARATE || this->Self->GetMethod() == AMENT_2017;
 }
 
+// Returns the number of result arrays that need a sweep through the data. Names that do not exist
+// are refused elsewhere.
+int vtkExtinctionOptimizer::Internals::ArraysOfSweeps() const
+{
+  const std::set<std::string>& wanted = this->Self->ResultArrays;
+  return static_cast<int>(wanted.count("Transmittance") + wanted.count("LightTransmittance") +
+    wanted.count("MissedImportance"));
+}
+
 // Returns the memory of a run in addition to its input, including results, for an image in which
 // every point matters. Measured by Testing/Benchmarks/filter_memory.py with 192^3 and 256^3 points,
 // a camera along y and a thick medium: 46 bytes per point with the policy and the extinction alone,
@@ -243,7 +252,7 @@ double vtkExtinctionOptimizer::Internals::BytesPerPoint() const
   const bool adam = this->Self->GetSolver() == ADAM;
   const bool two = this->HasTwoExtinctions();
   const double minimised = adam ? 82 : 42;
-  const double results = this->WantedArrays().OfSweeps().Count() > 0 && !adam ? 9 : 0;
+  const double results = this->ArraysOfSweeps() > 0 && !adam ? 9 : 0;
   const double separate = two && !adam ? (results > 0 ? 15 : 12) : 0;
   const double viewpoint = this->Self->OptimizeViewpoint ? 47 : 0;
   const double despeckled = this->Self->GetImportanceSmoothing() == MEDIAN ? 5 : 0;
@@ -258,11 +267,11 @@ double vtkExtinctionOptimizer::Internals::BytesPerPoint() const
 // separate mode, 5 and 5 in layers.
 limpid::NeedPerNode vtkExtinctionOptimizer::Internals::Need() const
 {
-  const limpid::ResultArrays wanted = this->WantedArrays();
   const bool two = this->HasTwoExtinctions();
   const double extinctions = two ? 8 : 4;
-  const double written = extinctions + (wanted.Has("Opacity") ? 4 : 0);
-  const double ofSweeps = wanted.OfSweeps().Count() > 0 ? 4 * wanted.OfSweeps().Count() + 2 : 0;
+  const double written = extinctions + (this->Self->ResultArrays.count("Opacity") > 0 ? 4 : 0);
+  const int swept = this->ArraysOfSweeps();
+  const double ofSweeps = swept > 0 ? 4 * swept + 2 : 0;
   limpid::NeedPerNode need;
   need.ofData = written + (this->SuitsLayers ? 2.5 : 13 + extinctions);
   need.measuring = written + extinctions + ofSweeps + (two ? 17 : 15) - need.ofData;

@@ -37,6 +37,7 @@ struct vtkExtinctionOptimizer::Internals
 
   bool HasTwoExtinctions() const;
   double BytesPerPoint() const;
+  int ArraysOfSweeps() const;
   limpid::NeedPerNode Need() const;
   bool IsInLayers(const limpid::ImageScene& scene);
   bool RanksShare(vtkInformation* outInfo) const;

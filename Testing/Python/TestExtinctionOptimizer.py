@@ -1128,7 +1128,7 @@ class TestRuns(OptimizerTest):
         result.Update()  # its threads are there
         result.SetInputData(phantom(208))
         with memory_limited_to(2 ** 20):
-            self.assert_refuses("208 x 208 x 208 points (about 0.696 GiB", "Resample To Image",
+            self.assert_refuses("208 x 208 x 208 points (about 0.687 GiB", "Resample To Image",
                                 filter_=result)
 
         result.SetInputData(phantom(8))
