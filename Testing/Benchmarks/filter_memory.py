@@ -6,9 +6,11 @@
 # Filters/vtkExtinctionOptimizerInternals.cxx. One run, in a process of its own, with PYTHONPATH as for
 # Testing/Python:
 #   python3 Testing/Benchmarks/filter_memory.py 256 vtkExtinctionOptimizer Solver=1 Mode=1
-# ResultArray=NAME leaves out all other results. An image that does not fit is refused with a message:
-# put "ulimit -v <KiB>" before the command.
+# ResultArray=NAME leaves out all other results. The number of points may be the name of a scene in
+# LIMPID_TEST_DATA instead, which is seen from where AutomaticPlacement puts the camera. An image that does
+# not fit is refused with a message: put "ulimit -v <KiB>" before the command.
 
+import pathlib
 import sys
 import time
 
@@ -17,6 +19,10 @@ from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPiecewiseFunction
 
 from limpid import vtkLimpidFilters
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "Python"))
+
+import steadiness  # noqa: E402
 
 
 def bytes_in(key):
@@ -61,6 +67,10 @@ def filter_named(name, settings):
         filter_.SetCameraViewUp(0, 0, 1)
     filter_.SetMaximumIterations(3)
     filter_.SetIterationsPerLevel(1, 1, 2)
+    return with_settings(filter_, settings)
+
+
+def with_settings(filter_, settings):
     for setting in settings:
         key, value = setting.split("=")
         if key == "ResultArray":
@@ -72,11 +82,19 @@ def filter_named(name, settings):
 
 
 def main():
-    points, name, *settings = sys.argv[1:]
+    scene, name, *settings = sys.argv[1:]
     filter_ = filter_named(name, settings)
     filter_.SetInputData(waves(8))
     filter_.Update()  # its threads are there
-    filter_.SetInputData(waves(int(points)))
+    if scene.isdigit():
+        image = waves(int(scene))
+    else:
+        loaded = steadiness.load(scene)
+        image = loaded[0]
+        filter_ = with_settings(steadiness.optimizer_for(loaded), settings)
+        filter_.AutomaticPlacementOn()
+    filter_.SetInputData(image)
+    points = image.GetNumberOfPoints()
     with open("/proc/self/clear_refs", "w") as file:
         file.write("5")  # forgets the peak so far
     before = bytes_in("VmRSS")
@@ -85,7 +103,7 @@ def main():
     seconds = time.perf_counter() - start
     peak = bytes_in("VmHWM")
     score = filter_.GetOutput().GetFieldData().GetArray("VisibleFraction")
-    print(f"{(peak - before) / int(points) ** 3:.1f} bytes per point, {seconds:.1f} s, "
+    print(f"{(peak - before) / points:.1f} bytes per point, {seconds:.1f} s, "
           f"peak of the process {peak / 1e9:.2f} GB"
           + (f", {100 * score.GetTuple1(0):.2f} % visible" if score else ""))
 
