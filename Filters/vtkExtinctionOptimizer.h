@@ -65,7 +65,9 @@
  * On a coarser one than that of the data, scores, shares and arrays are still those of the data, by
  * sweeps through it. If the data with these do not fit into MemoryLimit, they are those of the
  * coarser grid, and "Transmittance", "LightTransmittance" and "MissedImportance" are left out, with
- * a warning.
+ * a warning. The data are then converted a few layers at a time, without "BaseExtinction" and
+ * "Importance", unless they are cell arrays, blanked points, structures or references, or WarmStart
+ * is on.
  *
  * If structures have targets, the optimisation is repeated with other importances until as much of
  * them is visible, or no further run helps, at most 20 times (limpid::TargetSearch). A target above
