@@ -13,7 +13,6 @@
 #include <algorithm>
 #include <atomic>
 #include <condition_variable>
-#include <cstring>
 #include <deque>
 #include <exception>
 #include <memory>
@@ -100,7 +99,7 @@ private:
           this->All->Take(this->All->From(message.rank, this->Number));
         LIMPID_REQUIRE(bytes.size() == message.bytes,
           "A message has " << bytes.size() << " bytes and not " << message.bytes << '.');
-        std::memcpy(message.data, bytes.data(), bytes.size());
+        std::copy(bytes.begin(), bytes.end(), static_cast<char*>(message.data)); // may be none
       }
     }
 
