@@ -246,11 +246,9 @@ nb::dict Optimize(const Grid& grid, const Field& extinction, const Field& import
       }
       if (run.controlled->IsCoarser() && !onData)
       {
-        const auto count = static_cast<std::size_t>(run.scene.ValueCount());
-        forCamera.resize(count);
-        forLight.resize(HasLightExtinction(settings) ? count : 0);
-        run.controlled->FillExtinction(
-          *found.solver, forCamera.data(), forLight.empty() ? nullptr : forLight.data());
+        CarriedExtinction drawn = run.controlled->ExtinctionOnData(*found.solver);
+        forCamera = std::move(drawn.extinction);
+        forLight = std::move(drawn.light);
         return;
       }
       std::array<FoundExtinction, 2> taken = (onData ? onData : found.solver)->TakeExtinctions();

@@ -72,8 +72,10 @@ public:
   /// the light; null if there is none. Requires IsCoarser().
   void FillExtinction(const Solver& found, float* extinction, float* light) const;
 
-private:
+  /// Returns them in arrays of their own. Not for fields that are made in layers.
   CarriedExtinction ExtinctionOnData(const Solver& found) const;
+
+private:
   void FillLayers(const Solver& found, const std::vector<float>& ofBase, float* extinction) const;
 
   ControlGrid Chosen;

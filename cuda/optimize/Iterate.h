@@ -37,16 +37,6 @@ bool AllocateIterate(
   return isNew;
 }
 
-/// Downloads a field from a device; waits for it.
-template <class AnyDevice>
-std::vector<float> OnHost(AnyDevice& device, const float* field, Index count)
-{
-  std::vector<float> values = RoomFor(count);
-  values.resize(static_cast<std::size_t>(count));
-  device.Download(values.data(), field, values.size() * sizeof(float));
-  return values;
-}
-
 /// A field of a device on the host, read on request. Its memory is kept for the next time.
 class FieldOnHost
 {
@@ -60,7 +50,10 @@ public:
   {
     if (!this->IsCurrent)
     {
-      this->Values = this->Values.empty() ? RoomFor(count) : std::move(this->Values);
+      if (this->Values.empty())
+      {
+        this->Values = RoomFor(count);
+      }
       this->Values.resize(static_cast<std::size_t>(count));
       device.Download(this->Values.data(), field, this->Values.size() * sizeof(float));
       this->IsCurrent = true;
@@ -79,6 +72,15 @@ private:
   std::vector<float> Values;
   bool IsCurrent = false;
 };
+
+/// Downloads a field from a device; waits for it.
+template <class AnyDevice>
+std::vector<float> OnHost(AnyDevice& device, const float* field, Index count)
+{
+  FieldOnHost read;
+  read.Of(device, field, count);
+  return read.Take();
+}
 
 /// An iterate found on a device; empty if it is the base extinction.
 template <class AnyDevice>

@@ -145,7 +145,7 @@ private:
     {
       this->Energy->Distribution().SetZero(turn.others.front()->Number(), this->Sum.Data());
     }
-    else if (!only || this->FilledBy != only) // each writes voxels of its own
+    else if (this->Sum.Empty() || this->FilledBy != only) // each writes voxels of its own
     {
       this->Sum = {};
       this->Sum = this->Zeros("the lagged derivative");
