@@ -37,11 +37,12 @@ configure()
 }
 
 if [[ $tests == ON ]]; then
+  vtk="$(bash "$root/Testing/vtk-folder.sh")"
   configure -DLIMPID_BUILD_TESTING=ON
   # The Python package, against the VTK that ParaView uses, with the core of the plugin.
   cmake -S "$root" -B "$build/vtk" -G Ninja -Wno-dev "$python" \
     -DLIMPID_ENABLE_PARAVIEW=OFF -DLIMPID_BUILD_TESTING=OFF -DLIMPID_ENABLE_CUDA=OFF \
-    -DLIMPID_CORE_BUILD="$build" -DVTK_DIR="$(bash "$root/Testing/vtk-folder.sh")"
+    -DLIMPID_CORE_BUILD="$build" -DVTK_DIR="$vtk"
   cmake --build "$build/vtk"
   python_path="$(ls -d "$build"/vtk/lib/python3*/*-packages | tail -1)"
   configure -DLIMPID_PYTHON_PATH="$python_path" -DLIMPID_VTK_BUILD="$build/vtk"

@@ -166,8 +166,9 @@ check_sanitize()
 
 check_threads()
 {
-  configure_sanitized sanitize-thread \
-    -DTBB_DIR="$(bash Testing/thread-sanitized-tbb.sh build/sanitize-thread/tbb | tail -1)"
+  local tbb
+  tbb="$(bash Testing/thread-sanitized-tbb.sh build/sanitize-thread/tbb | tail -1)"
+  configure_sanitized sanitize-thread -DTBB_DIR="$tbb"
   cmake --build --preset sanitize-thread --target test_core_plan test_core_properties \
     test_core_sequences test_core_invariance test_core_renderer test_filter_threads
   sanitizer_options

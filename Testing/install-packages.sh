@@ -16,7 +16,7 @@ packages=(
   # tests and benchmarks
   libgtest-dev nlohmann-json3-dev libbenchmark-dev python3-yaml
   # checks of layout and of mistakes, and a second compiler
-  clang clang-format clang-tidy glslang-tools libclang-rt-dev
+  clang clang-format clang-tidy glslang-tools libclang-rt-dev llvm xz-utils
   # pictures without a screen
   xvfb xauth libgl1-mesa-dri python3-numpy python3-matplotlib
 )
