@@ -288,7 +288,7 @@ void PrintHead(const benchmark::Json& machine, int runs)
   std::printf(head, text("command").c_str(), text("processor").c_str(), count("cores"),
     count("threads"), text("compiler").c_str(), text("build_type").c_str(), text("date").c_str(),
     load, runs);
-  if (load > 0.5)
+  if (load > 0.25 * count("cores"))
   {
     std::printf("\n**The machine was not idle: times are preliminary.** Scores and energies do not "
                 "depend on the load.\n");

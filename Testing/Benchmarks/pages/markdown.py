@@ -6,6 +6,7 @@
 import math
 
 NOISY = 0.25  # spread above which times are preliminary
+BUSY = 0.25  # load per core before the start, above which times are preliminary
 
 # The day on which times and results of runs last changed by more than rounding: rays across long
 # images and thick layers, the drawing and its shadows, policy sweeps. Older pages say so.
@@ -92,7 +93,7 @@ def head(title, measured, command=None):
     text += "".join(f"* {fact}\n" for fact in machine.get("facts", []))
     text += (f"* date: {machine['date']}\n"
              f"* load average before the start: {machine['load_before']:.2f}\n")
-    if machine["load_before"] > 0.5:
+    if machine["load_before"] > BUSY * machine["cores"]:
         text += ("\n**The machine was not idle: times are preliminary.** Scores, energies and "
                  "memory do not depend on the load.\n")
     text += age_of(machine["date"])

@@ -34,6 +34,16 @@ class Pages(unittest.TestCase):
         self.assertTrue(is_old("2026-11-22"))
         self.assertFalse(is_old(RESULTS_CHANGED))
 
+    def test_say_when_the_machine_was_not_idle(self):
+        def is_preliminary(load, cores):
+            machine = {"command": "", "processor": "", "cores": cores, "date": RESULTS_CHANGED,
+                       "load_before": load}
+            return "preliminary" in head("Kernels", {"machine": machine})
+
+        self.assertTrue(is_preliminary(load=0.6, cores=2))
+        self.assertFalse(is_preliminary(load=0.4, cores=2))
+        self.assertFalse(is_preliminary(load=3, cores=16))
+
     def test_written_by_programs_say_so_too(self):
         for name in sorted(os.listdir(DOCUMENTATION)):
             if not name.endswith(".md") or name == "README.md":
