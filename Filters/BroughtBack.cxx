@@ -6,24 +6,29 @@
 #include "SampledData.h"
 
 #include "AllCores.h"
-#include "ControllerRanks.h"
-#include "DataLeaves.h"
 #include "FieldValues.h"
+#include "LatticeSamples.h"
 #include "Memory.h"
 
+#include "vtkCellData.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkFieldData.h"
 #include "vtkFloatArray.h"
 #include "vtkHyperTreeGrid.h"
+#include "vtkHyperTreeGridNonOrientedGeometryCursor.h"
 #include "vtkImageData.h"
+#include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkStringArray.h"
 
-#include "math/Require.h"
+#include "distributed/Communicator.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <functional>
+#include <memory>
 #include <vector>
 
 namespace limpid
@@ -40,10 +45,12 @@ struct PlaceInImage
   {
     const double* origin = image->GetOrigin();
     const double* spacing = image->GetSpacing();
+    const int* extent = image->GetExtent();
     const int* points = image->GetDimensions();
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
-      const double index = (position[axis] - origin[axis]) / spacing[axis];
+      const double index =
+        (position[axis] - origin[axis]) / spacing[axis] - double(extent[2 * axis]);
       const double inside = std::min(std::max(index, 0.0), double(points[axis] - 1));
       this->first[axis] = std::min(int(inside), points[axis] - 2);
       this->share[axis] = inside - this->first[axis];
@@ -70,24 +77,147 @@ struct PlaceInImage
   }
 };
 
-void AddInterpolated(vtkImageData* image, vtkFloatArray* values, vtkDataSet* leaf)
+/// The places of a data set that get results.
+struct Places
+{
+  vtkDataSetAttributes* attributes;
+  vtkIdType count;
+  std::function<void(vtkIdType number, double position[3])> find;
+};
+
+Places PointsIn(vtkDataSet* data)
+{
+  return { data->GetPointData(), data->GetNumberOfPoints(),
+    [data](vtkIdType point, double position[3]) { data->GetPoint(point, position); } };
+}
+
+void AddCentres(
+  vtkHyperTreeGridNonOrientedGeometryCursor* cell, std::vector<std::array<double, 3>>& centres)
+{
+  const auto number = static_cast<std::size_t>(cell->GetGlobalNodeIndex());
+  centres.resize(std::max(centres.size(), number + 1));
+  cell->GetPoint(centres[number].data());
+  for (unsigned char child = 0; !cell->IsLeaf() && child < cell->GetNumberOfChildren(); ++child)
+  {
+    cell->ToChild(child);
+    AddCentres(cell, centres);
+    cell->ToParent();
+  }
+}
+
+/// Returns the cells, both those that are refined and their parts.
+Places CentresOf(vtkHyperTreeGrid* trees)
+{
+  auto centres = std::make_shared<std::vector<std::array<double, 3>>>();
+  vtkHyperTreeGrid::vtkHyperTreeGridIterator tree;
+  trees->InitializeTreeIterator(tree);
+  vtkNew<vtkHyperTreeGridNonOrientedGeometryCursor> cell;
+  vtkIdType number = 0;
+  while (tree.GetNextTree(number))
+  {
+    trees->InitializeNonOrientedGeometryCursor(cell, number);
+    AddCentres(cell, *centres);
+  }
+  return { trees->GetCellData(), vtkIdType(centres->size()),
+    [centres](vtkIdType index, double position[3])
+    {
+      const std::array<double, 3>& centre = (*centres)[std::size_t(index)];
+      std::copy(centre.begin(), centre.end(), position);
+    } };
+}
+
+/// Returns the places of a data set, or those of all data sets of a collection.
+std::vector<Places> PlacesOf(vtkDataObject* data)
+{
+  std::vector<Places> all;
+  const auto add = [&all](vtkDataObject* object)
+  {
+    if (auto* trees = vtkHyperTreeGrid::SafeDownCast(object))
+    {
+      all.push_back(CentresOf(trees));
+    }
+    else if (auto* points = vtkDataSet::SafeDownCast(object);
+             points && points->GetNumberOfCells() > 0)
+    {
+      all.push_back(PointsIn(points));
+    }
+  };
+  auto* blocks = vtkCompositeDataSet::SafeDownCast(data);
+  if (!blocks)
+  {
+    add(data);
+    return all;
+  }
+  vtkSmartPointer<vtkCompositeDataIterator> block;
+  block.TakeReference(blocks->NewIterator());
+  for (block->InitTraversal(); !block->IsDoneWithTraversal(); block->GoToNextItem())
+  {
+    add(block->GetCurrentDataObject());
+  }
+  return all;
+}
+
+void AddInterpolated(vtkImageData* image, vtkFloatArray* values, const Places& places)
 {
   const int* points = image->GetDimensions();
-  const vtkIdType count = leaf->GetNumberOfPoints();
-  const auto there = NewArray<vtkFloatArray>(values->GetName(), count);
-  ForOnAllCores(count,
+  const auto there = NewArray<vtkFloatArray>(values->GetName(), places.count);
+  ForOnAllCores(places.count,
     [&](vtkIdType begin, vtkIdType end)
     {
-      for (vtkIdType point = begin; point < end; ++point)
+      for (vtkIdType number = begin; number < end; ++number)
       {
         double position[3];
-        leaf->GetPoint(point, position);
+        places.find(number, position);
         const PlaceInImage place(image, position);
         there->SetValue(
-          point, static_cast<float>(place.Interpolate(values->GetPointer(0), points)));
+          number, static_cast<float>(place.Interpolate(values->GetPointer(0), points)));
       }
     });
-  leaf->GetPointData()->AddArray(there);
+  places.attributes->AddArray(there);
+}
+
+/// Returns the arrays of one number per point that a result has in addition to its image.
+std::vector<SampledArray> NewArrays(vtkImageData* image, vtkImageData* result)
+{
+  std::vector<SampledArray> arrays;
+  vtkPointData* points = result->GetPointData();
+  for (int i = 0; i < points->GetNumberOfArrays(); ++i)
+  {
+    auto* values = vtkFloatArray::SafeDownCast(points->GetArray(i));
+    const bool isNew = values && values != image->GetPointData()->GetArray(values->GetName());
+    if (isNew && values->GetNumberOfComponents() == 1 && values->GetNumberOfTuples() > 0)
+    {
+      arrays.push_back({ values->GetName(), VTK_FLOAT });
+    }
+  }
+  return arrays;
+}
+
+/// Returns the arrays of a result at the points round some data. The result is a piece of an image
+/// of the whole extent; other ranks have the other pieces. Collective.
+vtkSmartPointer<vtkImageData> Around(const std::vector<Leaf>& data, vtkImageData* result,
+  const std::array<int, 6>& wholeExtent, const std::vector<SampledArray>& arrays,
+  const Communicator& ranks)
+{
+  Lattice whole;
+  std::copy_n(result->GetOrigin(), 3, whole.origin.begin());
+  std::copy_n(result->GetSpacing(), 3, whole.spacing.begin());
+  whole.extent = wholeExtent;
+  std::array<int, 6> extent;
+  std::copy_n(result->GetExtent(), 6, extent.begin());
+  LatticeSamples here(whole.Within(extent), arrays);
+  here.Use(result->GetPointData());
+  const Lattice part = whole.Around(data);
+  const LatticeSamples there = here.Shared(ranks, part);
+  auto around = vtkSmartPointer<vtkImageData>::New();
+  around->SetOrigin(whole.origin.data());
+  around->SetSpacing(whole.spacing.data());
+  around->SetExtent(const_cast<int*>(part.extent.data()));
+  for (const vtkSmartPointer<vtkDataArray>& values : there.Values())
+  {
+    around->GetPointData()->AddArray(values);
+  }
+  return around;
 }
 
 /// Copies data so that arrays can be added to the copy alone.
@@ -114,33 +244,24 @@ void CopyWithLeaves(vtkDataObject* data, vtkDataObject* output)
 }
 }
 
-void RequirePoints(vtkDataObject* data)
-{
-  LIMPID_REQUIRE(!AreSeveral(),
-    "The input is a " << data->GetClassName()
-                      << " (on several processes, this filter works on a single image with uniform "
-                         "spacing). Make it one with the filter Resample To Image.");
-  LIMPID_REQUIRE(!vtkHyperTreeGrid::SafeDownCast(data),
-    "The input is a vtkHyperTreeGrid (its points cannot have results). Make it an unstructured "
-    "grid with the filter HyperTreeGrid To UnstructuredGrid.");
-}
-
-void BringBack(
-  const SampledData& sampled, vtkImageData* result, vtkDataObject* data, vtkDataObject* output)
+void BringBack(const SampledData& sampled, vtkImageData* result, vtkDataObject* data,
+  vtkDataObject* output, const Communicator& ranks)
 {
   CopyWithLeaves(data, output);
-  vtkPointData* points = result->GetPointData();
-  for (const Leaf& leaf : LeavesOf(output))
+  const std::vector<SampledArray> arrays =
+    OfFirstThatHasAny(ranks, NewArrays(sampled.image, result));
+  vtkSmartPointer<vtkImageData> around = result;
+  if (!ranks.IsAlone())
   {
-    for (int i = 0; i < points->GetNumberOfArrays(); ++i)
+    around = Around(LeavesOf(data), result, sampled.extent, arrays, ranks);
+  }
+  for (const Places& places : PlacesOf(output))
+  {
+    for (const SampledArray& array : arrays)
     {
-      auto* values = vtkFloatArray::SafeDownCast(points->GetArray(i));
-      const bool isNew =
-        values && values != sampled.image->GetPointData()->GetArray(values->GetName());
-      if (isNew && values->GetNumberOfComponents() == 1)
-      {
-        AddInterpolated(result, values, leaf);
-      }
+      auto* values =
+        vtkFloatArray::SafeDownCast(around->GetPointData()->GetArray(array.name.c_str()));
+      AddInterpolated(around, values, places);
     }
   }
   for (int i = 0; i < result->GetFieldData()->GetNumberOfArrays(); ++i)

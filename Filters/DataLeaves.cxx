@@ -5,7 +5,6 @@
 
 #include "Memory.h"
 
-#include "vtkBoundingBox.h"
 #include "vtkCell.h"
 #include "vtkCellData.h"
 #include "vtkCompositeDataIterator.h"
@@ -98,6 +97,16 @@ std::vector<Leaf> FinestOf(vtkDataObject* data)
       leaves.end());
   }
   return leaves;
+}
+
+vtkBoundingBox BoxOf(const std::vector<Leaf>& leaves)
+{
+  vtkBoundingBox box;
+  for (const Leaf& leaf : leaves)
+  {
+    box.AddBounds(leaf->GetBounds());
+  }
+  return box;
 }
 
 vtkIdType CellsOf(const std::vector<Leaf>& leaves)

@@ -6,6 +6,7 @@
 #ifndef limpid_DataLeaves_h
 #define limpid_DataLeaves_h
 
+#include "vtkBoundingBox.h"
 #include "vtkDataSet.h"
 #include "vtkSmartPointer.h"
 
@@ -29,6 +30,9 @@ std::vector<Leaf> LeavesOf(vtkDataObject* data);
 
 /// Returns those of the finest level; all, if there are no levels.
 std::vector<Leaf> FinestOf(vtkDataObject* data);
+
+/// Returns the box around all leaves; invalid if there are none.
+vtkBoundingBox BoxOf(const std::vector<Leaf>& leaves);
 
 /// Returns the number of cells.
 vtkIdType CellsOf(const std::vector<Leaf>& leaves);

@@ -6,6 +6,7 @@
 #include "AllCores.h"
 #include "ScalarMapping.h"
 
+#include "vtkBoundingBox.h"
 #include "vtkCharArray.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkImageData.h"
@@ -20,6 +21,7 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <sstream>
 
 namespace limpid
 {
@@ -89,6 +91,18 @@ Lattice Lattice::Around(const double bounds[6]) const
   return this->Within(around);
 }
 
+Lattice Lattice::Around(const std::vector<Leaf>& leaves) const
+{
+  const vtkBoundingBox box = BoxOf(leaves);
+  if (!box.IsValid())
+  {
+    return this->Within({ { 0, -1, 0, -1, 0, -1 } });
+  }
+  double bounds[6];
+  box.GetBounds(bounds);
+  return this->Around(bounds);
+}
+
 Lattice Lattice::OfCells() const
 {
   Lattice centres = *this;
@@ -98,6 +112,51 @@ Lattice Lattice::OfCells() const
     centres.extent[2 * axis + 1] -= 1;
   }
   return centres;
+}
+
+std::vector<std::int64_t> OfEachRank(const Communicator& ranks, std::int64_t here)
+{
+  std::vector<std::int64_t> numbers(std::size_t(ranks.Size()), 0);
+  numbers[std::size_t(ranks.Rank())] = here;
+  ranks.Sum(numbers.data(), numbers.size());
+  return numbers;
+}
+
+std::vector<SampledArray> OfFirstThatHasAny(
+  const Communicator& ranks, const std::vector<SampledArray>& here)
+{
+  std::ostringstream own;
+  for (const SampledArray& array : here)
+  {
+    own << array.type << ' ' << array.components << ' ' << array.isActive << ' ' << array.name
+        << '\n';
+  }
+  std::string text = own.str();
+  const std::vector<std::int64_t> lengths = OfEachRank(ranks, std::int64_t(text.size()));
+  const auto first =
+    std::find_if(lengths.begin(), lengths.end(), [](std::int64_t length) { return length > 0; });
+  if (first == lengths.end())
+  {
+    return {};
+  }
+  std::vector<std::int64_t> letters(std::size_t(*first), 0);
+  if (first - lengths.begin() == ranks.Rank())
+  {
+    std::copy(text.begin(), text.end(), letters.begin());
+  }
+  ranks.Sum(letters.data(), letters.size());
+  text.assign(letters.size(), ' ');
+  std::transform(letters.begin(), letters.end(), text.begin(),
+    [](std::int64_t letter) { return static_cast<char>(letter); });
+  std::vector<SampledArray> arrays;
+  std::istringstream lines(text);
+  SampledArray array;
+  while (lines >> array.type >> array.components >> array.isActive && lines.get() == ' ' &&
+    std::getline(lines, array.name))
+  {
+    arrays.push_back(array);
+  }
+  return arrays;
 }
 
 LatticeSamples::LatticeSamples(const Lattice& lattice, const std::vector<SampledArray>& arrays)
@@ -139,6 +198,16 @@ std::vector<vtkIdType> LatticeSamples::NumbersIn(const Lattice& part) const
     }
   }
   return numbers;
+}
+
+void LatticeSamples::Use(vtkDataSetAttributes* values)
+{
+  for (vtkSmartPointer<vtkDataArray>& own : this->Arrays)
+  {
+    vtkDataArray* array = values->GetArray(own->GetName());
+    own = array && array->GetNumberOfTuples() == own->GetNumberOfTuples() ? array : own.Get();
+  }
+  std::fill(this->Valid.begin(), this->Valid.end(), static_cast<unsigned char>(1));
 }
 
 std::vector<vtkIdType> LatticeSamples::Add(vtkDataSet* leaf)
@@ -384,15 +453,6 @@ LatticeSamples LatticeSamples::Shared(const Communicator& ranks, const Lattice& 
     shared.Unpack(parts[rank], received[rank]);
   }
   return shared;
-}
-
-void LatticeSamples::MoveTo(vtkDataSetAttributes* attributes)
-{
-  for (const vtkSmartPointer<vtkDataArray>& array : this->Arrays)
-  {
-    attributes->AddArray(array);
-  }
-  this->Arrays.clear();
 }
 
 std::vector<vtkIdType> NearestOf(

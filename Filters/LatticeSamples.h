@@ -12,6 +12,7 @@
 #include "vtkType.h"
 
 #include <array>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -39,6 +40,9 @@ struct Lattice
   /// Returns the part of it in which a box is, and a point around.
   Lattice Around(const double bounds[6]) const;
 
+  /// Returns the part of it in which leaves are, and a point around.
+  Lattice Around(const std::vector<Leaf>& leaves) const;
+
   /// Returns the centres of its cells.
   Lattice OfCells() const;
 };
@@ -49,13 +53,24 @@ struct SampledArray
   std::string name;
   int type = 0; ///< of VTK
   int components = 1;
+  bool isActive = false; ///< whether these are the active scalars
 };
+
+/// Returns the arrays of the first rank that has any. Collective.
+std::vector<SampledArray> OfFirstThatHasAny(
+  const Communicator& ranks, const std::vector<SampledArray>& here);
+
+/// Returns the numbers of all ranks. Collective.
+std::vector<std::int64_t> OfEachRank(const Communicator& ranks, std::int64_t here);
 
 /// The samples of data sets at the points of a lattice: arrays, and whether each point has them.
 class LatticeSamples
 {
 public:
   LatticeSamples(const Lattice& lattice, const std::vector<SampledArray>& arrays);
+
+  /// Uses values at all points of the lattice as samples, those of arrays with the names.
+  void Use(vtkDataSetAttributes* values);
 
   /// Samples a leaf where no other one was. Returns the numbers of these points.
   std::vector<vtkIdType> Add(vtkDataSet* leaf);
@@ -78,8 +93,7 @@ public:
 
   bool IsValid(vtkIdType point) const { return this->Valid[std::size_t(point)] != 0; }
 
-  /// Moves the arrays to attributes of an image.
-  void MoveTo(vtkDataSetAttributes* attributes);
+  const std::vector<vtkSmartPointer<vtkDataArray>>& Values() const { return this->Arrays; }
 
 private:
   vtkIdType NumberOf(int i, int j, int k) const;

@@ -6,7 +6,6 @@
 #include "LatticeSamples.h"
 #include "Memory.h"
 
-#include "vtkBoundingBox.h"
 #include "vtkCellData.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkExtentTranslator.h"
@@ -45,30 +44,11 @@ struct WholeData
   std::array<double, 3> cell{}; ///< median extents of cells
 };
 
-vtkBoundingBox BoxOf(const std::vector<Leaf>& leaves)
-{
-  vtkBoundingBox box;
-  for (const Leaf& leaf : leaves)
-  {
-    box.AddBounds(leaf->GetBounds());
-  }
-  return box;
-}
-
 double MedianOf(std::vector<double>& values)
 {
   const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
   std::nth_element(values.begin(), middle, values.end());
   return *middle;
-}
-
-// Returns the sum over all ranks of a number for each rank, which the ranks set.
-std::vector<std::int64_t> OfEachRank(const Communicator& ranks, std::int64_t here)
-{
-  std::vector<std::int64_t> numbers(std::size_t(ranks.Size()), 0);
-  numbers[std::size_t(ranks.Rank())] = here;
-  ranks.Sum(numbers.data(), numbers.size());
-  return numbers;
 }
 
 WholeData Survey(
@@ -136,12 +116,12 @@ struct Catalog
   }
 };
 
-vtkIdType PointsInMemory(const Communicator& ranks, const Catalog& catalog)
+vtkIdType PointsInMemory(const Communicator& ranks, const Catalog& catalog, int copies)
 {
   constexpr double made = 80; // bytes of a point in what a display makes of it
   constexpr double share = 0.7;
   constexpr double most = 1U << 29U;
-  const double bytes = made + catalog.BytesOfPoint();
+  const double bytes = copies * (made + catalog.BytesOfPoint());
   auto points = static_cast<std::int32_t>(std::min(share * AvailableMemory() / bytes, most));
   ranks.TakeLeast(&points, 1);
   return points;
@@ -181,46 +161,23 @@ std::string TextOf(const std::array<int, 3>& dimensions)
 std::vector<SampledArray> CatalogOf(
   const Communicator& ranks, const std::vector<Leaf>& leaves, int association)
 {
-  std::ostringstream here;
+  std::vector<SampledArray> here;
   for (const std::string& name : ArraysOf(leaves, association))
   {
     for (const Leaf& leaf : leaves)
     {
-      vtkDataArray* array = leaf->GetAttributes(association)->GetArray(name.c_str());
+      vtkDataSetAttributes* attributes = leaf->GetAttributes(association);
+      vtkDataArray* array = attributes->GetArray(name.c_str());
       if (array && array->GetDataType() != VTK_BIT)
       {
-        here << array->GetDataType() << ' ' << array->GetNumberOfComponents() << ' ' << name
-             << '\n';
+        vtkDataArray* active = leaves.front()->GetAttributes(association)->GetScalars();
+        const bool isActive = active && active->GetName() && active->GetName() == name;
+        here.push_back({ name, array->GetDataType(), array->GetNumberOfComponents(), isActive });
         break;
       }
     }
   }
-  std::string text = here.str();
-  const std::vector<std::int64_t> lengths = OfEachRank(ranks, std::int64_t(text.size()));
-  const auto first =
-    std::find_if(lengths.begin(), lengths.end(), [](std::int64_t length) { return length > 0; });
-  if (first == lengths.end())
-  {
-    return {};
-  }
-  std::vector<std::int64_t> letters(std::size_t(*first), 0);
-  if (first - lengths.begin() == ranks.Rank())
-  {
-    std::copy(text.begin(), text.end(), letters.begin());
-  }
-  ranks.Sum(letters.data(), letters.size());
-  text.assign(letters.size(), ' ');
-  std::transform(letters.begin(), letters.end(), text.begin(),
-    [](std::int64_t letter) { return static_cast<char>(letter); });
-  std::vector<SampledArray> arrays;
-  std::istringstream lines(text);
-  SampledArray array;
-  while (lines >> array.type >> array.components && lines.get() == ' ' &&
-    std::getline(lines, array.name))
-  {
-    arrays.push_back(array);
-  }
-  return arrays;
+  return OfFirstThatHasAny(ranks, here);
 }
 
 std::set<std::string> NamesOf(const std::vector<SampledArray>& arrays)
@@ -276,30 +233,17 @@ Lattice PieceOf(const Lattice& whole, const Communicator& ranks)
   return piece;
 }
 
-// Returns the part of a lattice in which the leaves are.
-Lattice PartAround(const Lattice& whole, const std::vector<Leaf>& leaves)
-{
-  const vtkBoundingBox box = BoxOf(leaves);
-  if (!box.IsValid())
-  {
-    return whole.Within({ { 0, -1, 0, -1, 0, -1 } });
-  }
-  double bounds[6];
-  box.GetBounds(bounds);
-  return whole.Around(bounds);
-}
-
 // Samples the data of this process, and exchanges what others want.
 class Sampler
 {
 public:
   Sampler(const Communicator& ranks, const std::vector<Leaf>& leaves, const Catalog& catalog,
-    const Lattice& whole)
+    const Lattice& whole, bool isWholeOnAll)
     : Ranks(ranks)
     , Leaves(leaves)
     , Arrays(catalog)
-    , Here(ranks.IsAlone() ? whole : PartAround(whole, leaves))
-    , Piece(ranks.IsAlone() ? whole : PieceOf(whole, ranks))
+    , Here(ranks.IsAlone() ? whole : whole.Around(leaves))
+    , Piece(ranks.IsAlone() || isWholeOnAll ? whole : PieceOf(whole, ranks))
   {
   }
 
@@ -309,12 +253,11 @@ public:
     image->SetOrigin(this->Piece.origin.data());
     image->SetSpacing(this->Piece.spacing.data());
     image->SetExtent(const_cast<int*>(this->Piece.extent.data()));
-    LatticeSamples ofPoints = this->Wanted(this->SamplePoints(labels), this->Piece);
+    const LatticeSamples ofPoints = this->Wanted(this->SamplePoints(labels), this->Piece);
     Blank(ofPoints, image);
-    ofPoints.MoveTo(image->GetPointData());
-    LatticeSamples ofCells = this->Wanted(this->SampleCells(), this->Piece.OfCells());
-    ofCells.MoveTo(image->GetCellData());
-    this->TakeActive(image);
+    Fill(ofPoints, this->Arrays.ofPoints, image->GetPointData());
+    const LatticeSamples ofCells = this->Wanted(this->SampleCells(), this->Piece.OfCells());
+    Fill(ofCells, this->Arrays.ofCells, image->GetCellData());
     return image;
   }
 
@@ -364,14 +307,19 @@ private:
     return this->Ranks.IsAlone() ? std::move(samples) : samples.Shared(this->Ranks, lattice);
   }
 
-  void TakeActive(vtkImageData* image) const
+  static void Fill(const LatticeSamples& samples, const std::vector<SampledArray>& arrays,
+    vtkDataSetAttributes* attributes)
   {
-    for (const int association : { vtkDataObject::POINT, vtkDataObject::CELL })
+    for (const vtkSmartPointer<vtkDataArray>& values : samples.Values())
     {
-      vtkDataArray* scalars = this->Leaves.empty()
-        ? nullptr
-        : this->Leaves.front()->GetAttributes(association)->GetScalars();
-      image->GetAttributes(association)->SetActiveScalars(scalars ? scalars->GetName() : nullptr);
+      attributes->AddArray(values);
+    }
+    for (const SampledArray& array : arrays)
+    {
+      if (array.isActive)
+      {
+        attributes->SetActiveScalars(array.name.c_str());
+      }
     }
   }
 
@@ -395,8 +343,9 @@ SampledData SampleData(vtkDataObject* data, const DataSampling& sampling, const 
     DimensionsFor(whole.box, whole.cell, std::numeric_limits<vtkIdType>::max());
   const Catalog catalog{ CatalogOf(ranks, leaves, vtkDataObject::POINT),
     CatalogOf(ranks, leaves, vtkDataObject::CELL) };
+  const int copies = sampling.isWholeOnAll ? ranks.Size() : 1;
   const vtkIdType most =
-    sampling.mostPoints > 0 ? sampling.mostPoints : PointsInMemory(ranks, catalog);
+    sampling.mostPoints > 0 ? sampling.mostPoints : PointsInMemory(ranks, catalog, copies);
   std::array<int, 3> dimensions = DimensionsFor(whole.box, whole.cell, most);
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
@@ -411,7 +360,8 @@ SampledData SampleData(vtkDataObject* data, const DataSampling& sampling, const 
   }
   const Lattice lattice = LatticeOver(whole.box, dimensions);
   result.extent = lattice.extent;
-  result.image = Sampler(ranks, leaves, catalog, lattice).Image(sampling.labels);
+  result.image =
+    Sampler(ranks, leaves, catalog, lattice, sampling.isWholeOnAll).Image(sampling.labels);
   return result;
 }
 

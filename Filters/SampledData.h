@@ -28,6 +28,7 @@ struct DataSampling
   std::array<int, 3> dimensions{ { 0, 0, 0 } }; ///< points along each axis; 0: see SampleData
   vtkIdType mostPoints = 0;     ///< for dimensions that are chosen; 0: as memory allows
   std::set<std::string> labels; ///< point arrays that are never interpolated
+  bool isWholeOnAll = false;    ///< whether each rank gets the whole image instead of a piece
 };
 
 /// An image of data.
@@ -60,14 +61,11 @@ VTKLIMPIDFILTERS_EXPORT SampledData SampleData(
 /// Returns the information of an input port with samples in place of its data.
 VTKLIMPIDFILTERS_EXPORT vtkSmartPointer<vtkInformationVector> WithImage(
   vtkInformationVector* input, const SampledData& sampled);
-/// Throws limpid::Error if results cannot be brought back to the points of data, or if there are
-/// several processes.
-VTKLIMPIDFILTERS_EXPORT void RequirePoints(vtkDataObject* data);
-
 /// Copies data to `output`, with the arrays that `result` has in addition to the image that it was
-/// made of: point arrays are interpolated at the points of the data, field data are copied.
-VTKLIMPIDFILTERS_EXPORT void BringBack(
-  const SampledData& sampled, vtkImageData* result, vtkDataObject* data, vtkDataObject* output);
+/// made of: point arrays are interpolated at the points of the data, or at the centres of the cells
+/// of a hyper tree grid, which has no points; field data are copied. Collective.
+VTKLIMPIDFILTERS_EXPORT void BringBack(const SampledData& sampled, vtkImageData* result,
+  vtkDataObject* data, vtkDataObject* output, const Communicator& ranks);
 }
 
 #endif

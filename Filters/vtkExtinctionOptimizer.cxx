@@ -132,7 +132,7 @@ vtkTypeBool vtkExtinctionOptimizer::ProcessRequest(
   vtkDataObject* input = vtkDataObject::GetData(inputVector[0]);
   vtkInformation* outInfo = outputVector->GetInformationObject(0);
   vtkDataObject* output = vtkDataObject::GetData(outInfo);
-  const bool isMesh = input && !vtkImageData::SafeDownCast(input);
+  const bool isMesh = SceneReader::IsMesh(inputVector);
   const int type = isMesh ? input->GetDataObjectType() : VTK_IMAGE_DATA;
   if (!output || output->GetDataObjectType() != type)
   {
@@ -151,7 +151,8 @@ int vtkExtinctionOptimizer::RequestUpdateExtent(
 {
   vtkInformation* outInfo = outputVector->GetInformationObject(0);
   const int result = this->Superclass::RequestUpdateExtent(request, inputVector, outputVector);
-  if (this->State->RanksShare(outInfo))
+  if (this->State->RanksShare(outInfo) ||
+    (limpid::AllRanksUpdate(outInfo) && SceneReader::IsMesh(inputVector)))
   {
     SceneReader::RequestPiece(outInfo, inputVector);
   }
@@ -198,7 +199,8 @@ int vtkExtinctionOptimizer::RequestData(
   }
 }
 
-// Optimises an image of data that are none, and brings the results back to their points.
+// Optimises an image of data that are none, and brings the results back to them. Ranks that cannot
+// share the work all have the whole image and do the same.
 int vtkExtinctionOptimizer::RequestOfMesh(
   vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
@@ -208,14 +210,23 @@ int vtkExtinctionOptimizer::RequestOfMesh(
   vtkTable* structures = vtkTable::GetData(outputVector, 2);
   try
   {
-    limpid::RequirePoints(input);
-    this->State->Ranks = limpid::ThisProcess();
-    const limpid::SampledData sampled = this->State->Reader.Sample(input, *this->State->Ranks);
-    const vtkSmartPointer<vtkInformationVector> image = limpid::WithImage(inputVector[0], sampled);
-    vtkInformationVector* inputs = image;
-    vtkNew<vtkImageData> result;
-    this->Optimize(&inputs, result, convergence, structures);
-    limpid::BringBack(sampled, result, input, output);
+    vtkInformation* outInfo = outputVector->GetInformationObject(0);
+    const std::shared_ptr<const limpid::Communicator> ranks =
+      limpid::AllRanksUpdate(outInfo) ? limpid::MakeRanks() : limpid::ThisProcess();
+    limpid::NotifyingOnFailure(*ranks,
+      [&]
+      {
+        Internals& state = *this->State;
+        const bool share = state.RanksShare(outInfo);
+        const limpid::SampledData sampled = state.Reader.Sample(input, *ranks, !share);
+        const vtkSmartPointer<vtkInformationVector> image =
+          limpid::WithImage(inputVector[0], sampled);
+        vtkInformationVector* inputs = image;
+        vtkNew<vtkImageData> result;
+        state.Ranks = share ? ranks : limpid::ThisProcess();
+        this->Optimize(&inputs, result, convergence, structures);
+        limpid::BringBack(sampled, result, input, output, *state.Ranks);
+      });
     return 1;
   }
   catch (const limpid::Interrupted&)

@@ -119,7 +119,8 @@ int vtkViewpointSearch::RequestUpdateExtent(
 {
   const int result = this->Superclass::RequestUpdateExtent(request, inputVector, outputVector);
   vtkInformation* requested = RequestedOf(request, outputVector);
-  if (limpid::AllRanksUpdate(requested) && this->State->IsLarge(inputVector))
+  if (limpid::AllRanksUpdate(requested) &&
+    (SceneReader::IsMesh(inputVector) || this->State->IsLarge(inputVector)))
   {
     SceneReader::RequestPiece(requested, inputVector);
   }

@@ -136,22 +136,21 @@ auto vtkViewpointSearch::Internals::Interruptibly(const Function& function) cons
   return function();
 }
 
-// Searches round any data, of which a process alone makes an image.
+// Searches round any data. Every process gets an image of all that are none.
 void vtkViewpointSearch::Internals::SearchAny(
   vtkInformationVector** inputVector, bool isLaterPiece, vtkPolyData* const outputs[3])
 {
-  vtkDataObject* data = vtkDataObject::GetData(inputVector[0]);
-  const bool isImage = !data || vtkImageData::SafeDownCast(data);
-  if (isImage || !this->Ranks->IsAlone())
+  if (!SceneReader::IsMesh(inputVector))
   {
     this->Search(inputVector, isLaterPiece, outputs);
     return;
   }
-  if (isLaterPiece)
+  if (isLaterPiece && this->Ranks->IsAlone())
   {
     return;
   }
-  const limpid::SampledData sampled = this->Reader.Sample(data, *this->Ranks);
+  const limpid::SampledData sampled =
+    this->Reader.Sample(vtkDataObject::GetData(inputVector[0]), *this->Ranks, true);
   const vtkSmartPointer<vtkInformationVector> image = limpid::WithImage(inputVector[0], sampled);
   vtkInformationVector* inputs = image;
   this->Search(&inputs, isLaterPiece, outputs);

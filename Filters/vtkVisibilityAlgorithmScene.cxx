@@ -117,10 +117,17 @@ vtkImageData* vtkVisibilityAlgorithm::SceneReader::RequireWholeImage(
   return input;
 }
 
+bool vtkVisibilityAlgorithm::SceneReader::IsMesh(vtkInformationVector** inputVector)
+{
+  vtkDataObject* input = vtkDataObject::GetData(inputVector[0]);
+  return input && !vtkImageData::SafeDownCast(input);
+}
+
 limpid::SampledData vtkVisibilityAlgorithm::SceneReader::Sample(
-  vtkDataObject* data, const limpid::Communicator& ranks) const
+  vtkDataObject* data, const limpid::Communicator& ranks, bool isWholeOnAll) const
 {
   limpid::DataSampling sampling;
+  sampling.isWholeOnAll = isWholeOnAll;
   sampling.labels = { limpid::ChosenName(this->Self, limpid::structureArray) };
   return limpid::SampleData(data, sampling, ranks);
 }

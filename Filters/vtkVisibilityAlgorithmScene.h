@@ -56,8 +56,13 @@ struct vtkVisibilityAlgorithm::SceneReader
   /// Returns the input. Throws if it is missing or is not the whole image.
   vtkImageData* RequireWholeImage(vtkInformationVector** inputVector) const;
 
-  /// Samples data that are no image, with the labels that were chosen. Collective.
-  limpid::SampledData Sample(vtkDataObject* data, const limpid::Communicator& ranks) const;
+  /// Returns whether the input has to be sampled: it is there, and is no image.
+  static bool IsMesh(vtkInformationVector** inputVector);
+
+  /// Samples data that are no image, with the labels that were chosen. `isWholeOnAll`: see
+  /// DataSampling. Collective.
+  limpid::SampledData Sample(
+    vtkDataObject* data, const limpid::Communicator& ranks, bool isWholeOnAll) const;
 
   /// Throws if the unit distance is not a valid distance.
   void RequireUnitDistance() const;

@@ -8,6 +8,7 @@ import os
 import sys
 import unittest
 
+import numpy as np
 from paraview import simple
 
 import displays
@@ -37,6 +38,33 @@ class TestAnyDataOnRanks(displays.SampledDisplayTest):
                                   Function="4*round(Importance)")
         self.assert_alike({"hexahedra": simple.AppendDatasets(Input=[image])}, image,
                           StructureArray=["POINTS", "Labels"], Structures=["4", "core", "1", ""])
+
+    def test_filters(self):
+        image = simple.OcclusionPhantom(Resolution=32)
+        meshes = simple.Tetrahedralize(Input=image)
+        # Ranks share the work of the optimiser. With other methods, each of them has the whole image.
+        for method in ("Optimized", "Viola 2004"):
+            with self.subTest(method):
+                results = [simple.ExtinctionOptimizer(Input=data, Method=method, ScalarArray=["POINTS", "Scalars"])
+                           for data in (image, meshes)]
+                for result in results:
+                    result.UpdatePipeline()
+                expected, found = [result.FieldData["VisibilityScore"].GetRange()[0] for result in results]
+                self.assertAlmostEqual(found / expected, 1, delta=5e-3)
+                for name in ("Extinction", "Transmittance", "MissedImportance"):
+                    expected, found = [result.PointData[name].GetRange() for result in results]
+                    np.testing.assert_allclose(found, expected, atol=0.02 * expected[1])
+                integrals = [simple.IntegrateVariables(Input=result) for result in results]
+                for integral in integrals:
+                    integral.UpdatePipeline()
+                expected, found = [integral.PointData["Extinction"].GetRange()[0] for integral in integrals]
+                self.assertAlmostEqual(found / expected, 1, delta=5e-3)
+        searches = [simple.ViewpointSearch(Input=data, NumberOfDirections=42, ScalarArray=["POINTS", "Scalars"])
+                    for data in (image, meshes)]
+        for search in searches:
+            search.UpdatePipeline()
+        expected, found = [search.PointData["VisibilityScore"].GetRange() for search in searches]
+        np.testing.assert_allclose(found, expected, rtol=5e-3)
 
     def test_data_without_a_volume_say_so(self):
         display = displays.show(simple.AppendDatasets(Input=[simple.Sphere()]), self.view, array=("POINTS", "Normals"))

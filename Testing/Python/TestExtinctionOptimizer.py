@@ -12,7 +12,9 @@ from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkBitArray
 from vtkmodules.vtkCommonDataModel import (vtkImageData, vtkPiecewiseFunction, vtkPolyData,
                                            vtkRectilinearGrid, vtkTable, vtkUnstructuredGrid)
-from vtkmodules.vtkFiltersCore import vtkAppendFilter
+from vtkmodules.vtkFiltersCore import vtkAppendFilter, vtkCellCenters
+from vtkmodules.vtkFiltersHyperTree import vtkHyperTreeGridToUnstructuredGrid
+from vtkmodules.vtkFiltersSources import vtkRandomHyperTreeGridSource
 
 from limpid.vtkLimpidFilters import vtkExtinctionOptimizer
 
@@ -38,6 +40,20 @@ def optimizer(image, **properties):
 
 def number(image, name):
     return image.GetFieldData().GetArray(name).GetTuple1(0)
+
+
+def add_to_cells(data, name, numbers):
+    array = numpy_to_vtk(numbers, deep=1)
+    array.SetName(name)
+    data.GetCellData().AddArray(array)
+
+
+def cells_of(trees):
+    """A hyper tree grid as an unstructured grid."""
+    cells = vtkHyperTreeGridToUnstructuredGrid()
+    cells.SetInputData(trees)
+    cells.Update()
+    return cells.GetOutput()
 
 
 class OptimizerTest(FilterTest):
@@ -694,6 +710,41 @@ class TestDegenerateInput(OptimizerTest):
                     np.testing.assert_allclose(values(leaf, name).mean(), values(expected, name).mean(),
                                                atol=1e-3 * largest)
             self.assertIsNone(phantom(24).GetPointData().GetArray("Extinction"))
+
+    def test_hyper_tree_grids_have_results_at_the_centres_of_their_cells(self):
+        source = vtkRandomHyperTreeGridSource()
+        source.SetDimensions(13, 13, 13)
+        source.SetSplitFraction(0)  # without refinement, the image has its points at corners of cells
+        source.Update()
+        trees = source.GetHyperTreeGridOutput()
+        add_to_cells(trees, "number", np.arange(12.0**3))
+        where = vtk_to_numpy(cells_of(trees).GetCellData().GetArray("number")).astype(int)
+        centres = vtkCellCenters()
+        centres.SetInputData(cells_of(trees))
+        centres.Update()
+        positions = vtk_to_numpy(centres.GetOutput().GetPoints().GetData())
+        density = np.empty(12**3)
+        density[where] = np.exp(-2 * ((positions - positions.mean(axis=0)) ** 2).sum(axis=1))
+        add_to_cells(trees, "density", density)
+        cells = cells_of(trees)
+        results = []
+        for data in (trees, cells):
+            result = optimizer(data)
+            for role in (0, 1):
+                result.SetInputArrayToProcess(role, 0, 0, CELLS, "density")
+            result.SetExtinctionSource(result.OPACITY_FUNCTION)
+            result.Update()
+            self.assertEqual(result.messages["ErrorEvent"], [])
+            results.append(result.GetOutputDataObject(0))
+
+        self.assertTrue(results[0].IsA("vtkHyperTreeGrid"))
+        self.assertIsNone(trees.GetCellData().GetArray("Extinction"))
+        for name in ("Extinction", "Transmittance", "MissedImportance"):
+            here = vtk_to_numpy(results[0].GetCellData().GetArray(name))[where]
+            corners = values(results[1], name)
+            around = [np.mean([corners[cells.GetCell(cell).GetPointId(i)] for i in range(8)])
+                      for cell in range(cells.GetNumberOfCells())]
+            np.testing.assert_allclose(here, around, atol=1e-4 * corners.max())
 
     def test_data_without_a_volume_are_refused(self):
         for kind in (vtkUnstructuredGrid, vtkPolyData, vtkRectilinearGrid, vtkTable):
