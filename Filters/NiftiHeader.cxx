@@ -4,6 +4,7 @@
 // Headers of NIfTI-1 and NIfTI-2, whose fields are named as in nifti1.h.
 
 #include "ImageFile.h"
+#include "Utf8.h"
 
 #include "vtkType.h"
 
@@ -243,7 +244,7 @@ std::vector<Segment> SegmentsIn(const std::string& text)
     }
     constexpr double none = -1;
     segments.push_back({ static_cast<std::int64_t>(*label),
-      { name,
+      { AsUtf8(name),
         ColorOf({ AttributeIn(element, "Red").value_or(none),
                   AttributeIn(element, "Green").value_or(none),
                   AttributeIn(element, "Blue").value_or(none) },

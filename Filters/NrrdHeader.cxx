@@ -5,6 +5,7 @@
 
 #include "ImageFile.h"
 #include "TextHeader.h"
+#include "Utf8.h"
 
 #include "vtkType.h"
 
@@ -12,7 +13,10 @@
 
 #include "math/Require.h"
 
+#include <cmath>
 #include <cstddef>
+#include <iterator>
+#include <limits>
 #include <locale>
 #include <map>
 #include <optional>
@@ -56,7 +60,8 @@ std::optional<Color> ColorIn(const std::string& text)
   return numbers >> color[0] >> color[1] >> color[2] ? ColorOf(color, 1) : std::nullopt;
 }
 
-// Returns the segments of 3D Slicer. Without its newer keys, each has a layer of its own.
+// Returns the segments of 3D Slicer. Without its newer keys, each has a layer of its own, or, in a
+// file without layers, a label of its own.
 std::vector<Segment> SegmentsOf(const TextHeader& header, bool hasLayers)
 {
   std::vector<Segment> segments;
@@ -72,8 +77,8 @@ std::vector<Segment> SegmentsOf(const TextHeader& header, bool hasLayers)
     const std::string layer = key + "layer";
     const std::string name = key + "name";
     const std::string color = key + "color";
-    segments.push_back({ header.WholeNumber({ label.c_str() }, 1, -0x1p53),
-      { header.Text({ name.c_str() }), ColorIn(header.Text({ color.c_str() })) },
+    segments.push_back({ header.WholeNumber({ label.c_str() }, hasLayers ? 1 : number + 1, -0x1p53),
+      { AsUtf8(header.Text({ name.c_str() })), ColorIn(header.Text({ color.c_str() })) },
       static_cast<int>(header.WholeNumber({ layer.c_str() }, hasLayers ? number : 0, 0)) });
   }
   return segments;
@@ -89,34 +94,83 @@ Vec3 TurnOf(const std::string& space)
   return found == turns.end() ? Vec3(1.0) : found->second;
 }
 
-Grid NrrdGrid(const TextHeader& header, const Int3& nodes, std::size_t first)
+// The axes of a file.
+struct NrrdAxes
 {
-  const std::vector<std::optional<Vec3>> axes = header.Vectors("space directions");
+  std::vector<double> sizes;
+  std::vector<std::optional<Vec3>> directions; ///< empty: not given
+  bool hasLayers;                              ///< whether the first one counts layers of segments
+  std::size_t first = 0;                       ///< of the three of the volume
+
+  explicit NrrdAxes(const TextHeader& header)
+    : sizes(header.Numbers({ "sizes" }))
+    , directions(header.Vectors("space directions"))
+    , hasLayers(this->sizes.size() == 4 && header.Has("segment0_name"))
+  {
+    std::size_t others = 0; // points along other axes
+    if (this->sizes.size() == 4)
+    {
+      const bool isFirst = this->directions.empty() ? this->sizes.front() == 1
+                                                    : !this->directions.front().has_value();
+      this->first = this->hasLayers || isFirst ? 1 : 0;
+      others = this->hasLayers ? 1
+                               : static_cast<std::size_t>(this->first == 1 ? this->sizes.front()
+                                                                           : this->sizes.back());
+    }
+    LIMPID_REQUIRE(this->sizes.size() == 3 || others == 1,
+      "It has " << this->sizes.size()
+                << " axes (a volume has 3; one more has layers of segments, if it names these, or "
+                   "a single entry). Extract one volume.");
+  }
+};
+
+// Returns the grid of a file that has distances and places along its axes only.
+Grid GridAlongAxes(const TextHeader& header, const NrrdAxes& axes, const Int3& nodes)
+{
+  const std::vector<double> none(axes.sizes.size(), std::numeric_limits<double>::quiet_NaN());
+  const std::vector<double> spacings = header.Numbers({ "spacings" }, none);
+  const std::vector<double> mins = header.Numbers({ "axis mins", "axismins" }, none);
+  const std::vector<double> maxs = header.Numbers({ "axis maxs", "axismaxs" }, none);
+  std::istringstream centres(header.Lower({ "centers", "centerings" }));
+  const std::vector<std::string> centring{ std::istream_iterator<std::string>(centres), {} };
+  Mat3 steps(0.0);
+  Vec3 origin(0.0);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const std::size_t at = axes.first + static_cast<std::size_t>(axis);
+    const bool isOfCells = at < centring.size() && centring[at] == "cell";
+    const double parts = nodes[axis] - (isOfCells ? 0.0 : 1.0);
+    const double length = maxs[at] - mins[at];
+    const double fromEnds = parts > 0 && std::isfinite(length) ? length / parts : 1.0;
+    steps[axis][axis] = std::isnan(spacings[at]) ? fromEnds : spacings[at];
+    const double toFirst = isOfCells ? 0.5 * steps[axis][axis] : 0.0;
+    origin[axis] = std::isfinite(mins[at]) ? mins[at] + toFirst : 0.0;
+  }
+  return GridOfSteps(nodes, origin, steps);
+}
+
+Grid NrrdGrid(const TextHeader& header, const NrrdAxes& axes, const Int3& nodes)
+{
+  const std::vector<std::optional<Vec3>> place = header.Vectors("space origin");
+  const bool isPlaced = !place.empty() && place.front();
   const Vec3 turn = TurnOf(header.Lower({ "space" }));
+  const Vec3 origin = isPlaced ? turn * *place.front() : Vec3(0.0);
+  if (axes.directions.empty())
+  {
+    Grid grid = GridAlongAxes(header, axes, nodes);
+    grid.origin = isPlaced ? origin : grid.origin;
+    return grid;
+  }
   Mat3 steps(0.0);
   for (int axis = 0; axis < 3; ++axis)
   {
-    const std::size_t at = first + static_cast<std::size_t>(axis);
-    LIMPID_REQUIRE(axes.empty() || (at < axes.size() && axes[at]),
+    const std::size_t at = axes.first + static_cast<std::size_t>(axis);
+    LIMPID_REQUIRE(at < axes.directions.size() && axes.directions[at],
       "Its field \"space directions\" has no vector for axis "
         << at << " (the values are placed by three of them). Give a volume.");
-    if (!axes.empty())
-    {
-      steps[axis] = turn * *axes[at];
-    }
+    steps[axis] = turn * *axes.directions[at];
   }
-  if (axes.empty())
-  {
-    std::vector<double> otherwise(first + 3, 1);
-    const std::vector<double> spacings = header.Numbers({ "spacings" }, otherwise);
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      steps[axis][axis] = spacings[first + static_cast<std::size_t>(axis)];
-    }
-  }
-  const std::vector<std::optional<Vec3>> origin = header.Vectors("space origin");
-  const bool isPlaced = !origin.empty() && origin.front();
-  return GridOfSteps(nodes, isPlaced ? turn * *origin.front() : Vec3(0.0), steps);
+  return GridOfSteps(nodes, origin, steps);
 }
 }
 
@@ -129,19 +183,13 @@ ImageFile ReadNrrdHeader(const std::string& path)
     "It does not begin with NRRD (files of this format do). Give a file of NRRD, or name it by its "
     "format.");
   const TextHeader header(path, ':', "");
-  const std::vector<double> sizes = header.Numbers({ "sizes" });
-  const bool hasLayers = sizes.size() == 4 && header.Has("segment0_name");
-  LIMPID_REQUIRE(sizes.size() == 3 || hasLayers,
-    "It has " << sizes.size()
-              << " axes (a volume has 3; one more are layers of segments, if it names these). "
-                 "Extract one volume.");
-  const std::size_t first = hasLayers ? 1 : 0;
+  const NrrdAxes axes(header);
   ImageFile file;
-  const Int3 nodes = NodesOf(sizes, first);
-  file.grid = NrrdGrid(header, nodes, first);
-  file.layers = hasLayers ? static_cast<int>(sizes.front()) : 1;
+  const Int3 nodes = NodesOf(axes.sizes, axes.first);
+  file.grid = NrrdGrid(header, axes, nodes);
+  file.layers = axes.hasLayers ? static_cast<int>(axes.sizes.front()) : 1;
   file.type = TypeOf(NrrdTypes(), header.Lower({ "type" }));
-  file.segments = SegmentsOf(header, hasLayers);
+  file.segments = SegmentsOf(header, axes.hasLayers);
   const std::string encoding = header.Lower({ "encoding" });
   LIMPID_REQUIRE(std::set<std::string>({ "raw", "gzip", "gz" }).count(encoding) != 0,
     "Its encoding is \"" << encoding << "\" (raw and gzip are read). Write it as one of these.");

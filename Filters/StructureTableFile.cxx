@@ -3,6 +3,8 @@
 
 #include "StructureTableFile.h"
 
+#include "Utf8.h"
+
 #include <vtksys/FStream.hxx>
 #include <vtksys/SystemTools.hxx>
 
@@ -194,7 +196,7 @@ StructureTableFile ReadStructureTable(const std::string& path)
   {
     const std::string byteOrderMark = "\xEF\xBB\xBF";
     const bool isMarked = number == 1 && line.compare(0, 3, byteOrderMark) == 0;
-    line = Trimmed(isMarked ? line.substr(3) : line);
+    line = AsUtf8(Trimmed(isMarked ? line.substr(3) : line));
     if (line.empty() || line.front() == '#')
     {
       continue;

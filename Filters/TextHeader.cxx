@@ -11,6 +11,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdio>
+#include <limits>
 #include <locale>
 #include <sstream>
 
@@ -64,16 +66,19 @@ std::string TextHeader::Lower(Names names) const
 
 std::vector<double> TextHeader::Numbers(Names names) const
 {
-  std::istringstream text(this->Text(names));
-  text.imbue(std::locale::classic());
+  std::istringstream words(this->Text(names));
   std::vector<double> numbers;
-  for (double number = 0; text >> number;)
+  for (std::string word; words >> word;)
   {
-    numbers.push_back(number);
+    double number = std::numeric_limits<double>::quiet_NaN();
+    std::istringstream digits(word);
+    digits.imbue(std::locale::classic());
+    const bool isNumber = (digits >> number) && digits.peek() == EOF;
+    LIMPID_REQUIRE(isNumber || vtksys::SystemTools::LowerCase(word) == "nan",
+      "Its field \"" << *names.begin() << "\" is \"" << words.str()
+                     << "\" (it has to be numbers). Correct the header.");
+    numbers.push_back(isNumber ? number : std::numeric_limits<double>::quiet_NaN());
   }
-  LIMPID_REQUIRE(text.eof(),
-    "Its field \"" << *names.begin() << "\" is \"" << text.str()
-                   << "\" (it has to be numbers). Correct the header.");
   return numbers;
 }
 

@@ -360,6 +360,9 @@ class TestTableFiles(StructureTest):
             "3   Left-Cerebral-Cortex  205 62 78 0\n1034\t3rd-Ventricle\t25 10 0 0\n65535 plain\n"),
             ["Left-Cerebral-Cortex", "3rd-Ventricle", "plain"])
 
+    def test_may_be_in_latin_1(self):
+        self.assertEqual(self.names("3 Léon\n1034 b\n65535 c\n".encode("latin-1")), ["Léon", "b", "c"])
+
     def colors(self, text):
         table = self.run_with(text).GetStructureTable()
         return np.transpose([vtk_to_numpy(table.GetColumnByName(name))

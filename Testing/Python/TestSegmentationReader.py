@@ -5,6 +5,7 @@
 # cannot be read. The tests write the files.
 
 import os
+import re
 import tempfile
 import unittest
 
@@ -51,6 +52,14 @@ def counted(kind="int16", shape=SHAPE):
 
 
 class ReaderTest(FilterTest):
+    def content(self, name):
+        with open(self.path(name), "rb") as file:
+            return file.read()
+
+    def write(self, name, content):
+        with open(self.path(name), "wb") as file:
+            file.write(content)
+
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
@@ -122,6 +131,24 @@ class TestPlacements(ReaderTest):
         self.write_text("b.nrrd", "NRRD0001\ntype: uint8\ndimension: 3\nsizes: 5 4 3\n"
                         "spacings: 1 2 3\nencoding: raw\n\n", counted("uint8"))
         self.expect("b.nrrd", counted("uint8"), placed(np.eye(3), (1, 2, 3), (0, 0, 0)))
+
+    def test_along_the_axes_alone(self):
+        head = "NRRD0004\ntype: uint8\ndimension: {}\nsizes: {}\nencoding: raw\n{}\n"
+        for sizes, more, spacing, origin in (
+                ("5 4 3", "spacings: 1 2 3\naxis mins: -4 5 6\n", (1, 2, 3), (-4, 5, 6)),
+                ("5 4 3", "axismins: -4 5 6\naxismaxs: 4 11 12\n", (2, 2, 3), (-4, 5, 6)),
+                ("5 4 3", "axis mins: -4 5 6\naxis maxs: 6 13 15\ncenterings: cell cell cell\n",
+                 (2, 2, 3), (-3, 6, 7.5)),
+                ("5 4 3", "spacings: nan 2 3\n", (1, 2, 3), (0, 0, 0)),
+                ("5 4 3 1", "spacings: 1 2 3 nan\nkinds: domain domain domain time\n", (1, 2, 3), (0, 0, 0)),
+                ("1 5 4 3", "spacings: NaN 1 2 3\n", (1, 2, 3), (0, 0, 0))):
+            with self.subTest(more):
+                self.write_text("b.nrrd", head.format(len(sizes.split()), sizes, more), counted("uint8"))
+                self.expect("b.nrrd", counted("uint8"), placed(np.eye(3), spacing, origin))
+
+    def test_with_one_time_step(self):
+        write_nrrd(self.path("a.nrrd"), counted()[np.newaxis], OBLIQUE)
+        self.expect("a.nrrd", counted(), OBLIQUE)
 
     def write_text(self, name, text, data):
         with open(self.path(name), "wb") as file:
@@ -270,6 +297,18 @@ class TestNames(ReaderTest):
             self.assertTrue(np.isnan(colors[0]).all(), color)
             np.testing.assert_array_equal(colors[1], color_of(2))
 
+    def test_in_latin_1(self):
+        labels = counted("uint8") % 3
+        write_nrrd(self.path("a.seg.nrrd"), labels, OBLIQUE,
+                   more=segments((1, "L_on", 0), (2, "fígado", 0)))
+        self.write("a.seg.nrrd", self.content("a.seg.nrrd").replace(b"L_on", b"L\xe9on"))
+        self.assertEqual(self.names(self.read("a.seg.nrrd")), {1: "Léon", 2: "fígado"})
+
+    def test_without_labels_are_of_labels_in_their_order(self):
+        more = re.sub("Segment._LabelValue.*\n", "", segments((9, "liver", 0), (9, "spleen", 0)))
+        write_nrrd(self.path("a.seg.nrrd"), counted("uint8") % 3, OBLIQUE, more=more)
+        self.assertEqual(self.names(self.read("a.seg.nrrd")), {1: "liver", 2: "spleen"})
+
     def test_are_left_out_where_there_are_none(self):
         write_nrrd(self.path("a.nrrd"), counted(), OBLIQUE)
         self.assertIsNone(self.names(self.read("a.nrrd")))
@@ -337,14 +376,6 @@ class TestAddedStructures(ReaderTest):
 
 
 class TestMessages(ReaderTest):
-    def content(self, name):
-        with open(self.path(name), "rb") as file:
-            return file.read()
-
-    def write(self, name, content):
-        with open(self.path(name), "wb") as file:
-            file.write(content)
-
     def expect_words(self, name, *words):
         self.assert_refuses("cannot be read", name, *words, filter_=self.reader(name))
 
