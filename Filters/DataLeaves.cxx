@@ -157,28 +157,25 @@ std::set<std::string> ArraysOf(const std::vector<Leaf>& leaves, int association)
   return names;
 }
 
-Leaf WithArrays(vtkDataSet* leaf, const std::set<std::string>& points, bool cells)
+Leaf WithArrays(
+  vtkDataSet* leaf, const std::set<std::string>& points, const std::set<std::string>& cells)
 {
   Leaf with;
   with.TakeReference(leaf->NewInstance());
   with->CopyStructure(leaf);
-  const auto pass = [](vtkDataSetAttributes* from, vtkDataSetAttributes* to, const auto& wanted)
+  const auto pass =
+    [](vtkDataSetAttributes* from, vtkDataSetAttributes* to, const std::set<std::string>& names)
   {
-    for (int i = 0; i < from->GetNumberOfArrays(); ++i)
+    for (const std::string& name : names)
     {
-      vtkDataArray* array = from->GetArray(i);
-      if (array && array->GetName() && wanted(std::string(array->GetName())))
+      if (vtkDataArray* array = from->GetArray(name.c_str()))
       {
         to->AddArray(array);
       }
     }
   };
-  const auto isGhosts = [](const std::string& name)
-  { return name == vtkDataSetAttributes::GhostArrayName(); };
-  pass(leaf->GetPointData(), with->GetPointData(),
-    [&](const std::string& name) { return points.count(name) > 0; });
-  pass(leaf->GetCellData(), with->GetCellData(),
-    [&](const std::string& name) { return cells && !isGhosts(name); });
+  pass(leaf->GetPointData(), with->GetPointData(), points);
+  pass(leaf->GetCellData(), with->GetCellData(), cells);
 
   vtkUnsignedCharArray* ofCells = leaf->GetCellGhostArray();
   vtkUnsignedCharArray* ofPoints = leaf->GetPointGhostArray();

@@ -44,8 +44,9 @@ std::vector<std::array<double, 3>> ExtentsOfCells(const std::vector<Leaf>& leave
 std::set<std::string> ArraysOf(const std::vector<Leaf>& leaves, int association);
 
 /// Returns a leaf with some of its arrays and, if any cells are blanked, an array that is not 0
-/// there. `cells`: whether with all arrays of cells.
-Leaf WithArrays(vtkDataSet* leaf, const std::set<std::string>& points, bool cells);
+/// there. `points` and `cells`: names of the arrays.
+Leaf WithArrays(
+  vtkDataSet* leaf, const std::set<std::string>& points, const std::set<std::string>& cells);
 }
 
 #endif

@@ -43,6 +43,20 @@ std::string ChosenName(vtkAlgorithm* owner, int index)
   return name != std::to_string(index) && name != "(Automatic)" && name != "(None)" ? name : "";
 }
 
+std::set<std::string> ChosenNames(vtkAlgorithm* owner)
+{
+  std::set<std::string> names{ ChosenName(owner, 0) };
+  for (int index = 1; index < endOfInputArrays; ++index)
+  {
+    const std::string name = ChosenName(owner, index);
+    if (!name.empty())
+    {
+      names.insert(name);
+    }
+  }
+  return names;
+}
+
 std::vector<FieldSource> ReferenceSources(vtkAlgorithm* owner, vtkImageData* image)
 {
   std::vector<FieldSource> sources(givenReferences);
@@ -68,8 +82,7 @@ std::vector<FieldSource> ReferenceSources(vtkAlgorithm* owner, vtkImageData* ima
 
 void CopyFurtherArrays(vtkAlgorithm* from, vtkAlgorithm* to)
 {
-  const int end = firstReferenceArray + static_cast<int>(givenReferences);
-  for (int index = structureArray; index < end; ++index)
+  for (int index = structureArray; index < endOfInputArrays; ++index)
   {
     vtkInformation* chosen = from->GetInputArrayInformation(index);
     to->SetInputArrayToProcess(index, 0, 0,

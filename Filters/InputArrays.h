@@ -10,6 +10,7 @@
 
 #include "vtkLimpidFiltersModule.h" // for export macro
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,9 @@ class vtkImageData;
 
 namespace limpid
 {
+/// The indices of input arrays are below.
+constexpr int endOfInputArrays = firstReferenceArray + static_cast<int>(givenReferences);
+
 /// Returns the array of the points or the cells with a name; null: there is none. `association`:
 /// one of vtkDataObject, such as FIELD_ASSOCIATION_POINTS_THEN_CELLS.
 VTKLIMPIDFILTERS_EXPORT FieldSource FindField(
@@ -25,6 +29,10 @@ VTKLIMPIDFILTERS_EXPORT FieldSource FindField(
 
 /// Returns the name of an input array that the user chose; empty if there is no choice.
 VTKLIMPIDFILTERS_EXPORT std::string ChosenName(vtkAlgorithm* owner, int index);
+
+/// Returns the names of all input arrays that the user chose; "" for the scalars, if those are not
+/// chosen.
+VTKLIMPIDFILTERS_EXPORT std::set<std::string> ChosenNames(vtkAlgorithm* owner);
 
 /// Returns an array for each GivenReference, which the user chose among the input arrays of an
 /// algorithm. It is null if none is chosen, or without an image.

@@ -42,22 +42,29 @@ ImageFile ReadMetaHeader(const std::string& path)
 {
   const TextHeader header(path, '=', "elementdatafile");
   const std::vector<double> sizes = header.Numbers({ "dimsize" });
-  LIMPID_REQUIRE(sizes.size() == 3,
-    "It has " << sizes.size() << " axes (a volume has 3). Give a volume as a MetaImage.");
+  const std::size_t count = sizes.size(); // of axes
+  LIMPID_REQUIRE(count == 3 || (count == 4 && sizes.back() == 1),
+    "It has " << count
+              << " axes (a volume has 3; one more may have a single entry). Give a volume as a "
+                 "MetaImage.");
   LIMPID_REQUIRE(header.WholeNumber({ "elementnumberofchannels" }, 1, 1) == 1,
     "It has several numbers per point (labels are one). Extract one channel.");
   ImageFile file;
   const std::vector<double> spacing =
-    header.Numbers({ "elementspacing", "elementsize" }, { 1, 1, 1 });
+    header.Numbers({ "elementspacing", "elementsize" }, std::vector<double>(count, 1));
   const std::vector<double> origin =
-    header.Numbers({ "offset", "origin", "position" }, { 0, 0, 0 });
-  const std::vector<double> axes =
-    header.Numbers({ "transformmatrix", "rotation", "orientation" }, { 1, 0, 0, 0, 1, 0, 0, 0, 1 });
+    header.Numbers({ "offset", "origin", "position" }, std::vector<double>(count, 0));
+  std::vector<double> axes(count * count, 0);
+  for (std::size_t axis = 0; axis < count; ++axis)
+  {
+    axes[axis * (count + 1)] = 1;
+  }
+  axes = header.Numbers({ "transformmatrix", "rotation", "orientation" }, axes);
   Mat3 steps;
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
     steps[static_cast<int>(axis)] =
-      spacing[axis] * Vec3(axes[3 * axis], axes[3 * axis + 1], axes[3 * axis + 2]);
+      spacing[axis] * Vec3(axes[count * axis], axes[count * axis + 1], axes[count * axis + 2]);
   }
   file.grid = GridOfSteps(NodesOf(sizes, 0), Vec3(origin[0], origin[1], origin[2]), steps);
   file.type = TypeOf(MetaTypes(), header.Lower({ "elementtype" }));

@@ -188,6 +188,32 @@ std::set<std::string> NamesOf(const std::vector<SampledArray>& arrays)
   return names;
 }
 
+// Leaves out arrays that are not wanted.
+Catalog Wanted(const Catalog& all, const DataSampling& sampling)
+{
+  Catalog some;
+  std::set<std::string> found;
+  const auto take = [&](const std::vector<SampledArray>& from, std::vector<SampledArray>& to)
+  {
+    for (const SampledArray& array : from)
+    {
+      const bool isActive = array.isActive && sampling.wanted.count("") > 0;
+      if (isActive || sampling.wanted.count(array.name) > 0 ||
+        sampling.further.count(array.name) > 0 || sampling.labels.count(array.name) > 0)
+      {
+        to.push_back(array);
+        found.insert(array.name);
+        found.insert(isActive ? "" : array.name);
+      }
+    }
+  };
+  take(all.ofPoints, some.ofPoints);
+  take(all.ofCells, some.ofCells);
+  const bool hasAll = std::includes(
+    found.begin(), found.end(), sampling.wanted.begin(), sampling.wanted.end());
+  return hasAll && !sampling.wanted.empty() ? some : all;
+}
+
 // Blanks points without a valid sample.
 void Blank(const LatticeSamples& samples, vtkImageData* image)
 {
@@ -268,7 +294,7 @@ private:
     LatticeSamples samples(this->Here, arrays);
     for (const Leaf& leaf : this->Leaves)
     {
-      const std::vector<vtkIdType> points = samples.Add(WithArrays(leaf, NamesOf(arrays), false));
+      const std::vector<vtkIdType> points = samples.Add(WithArrays(leaf, NamesOf(arrays), {}));
       std::vector<vtkIdType> nearest;
       for (const std::string& label : labels)
       {
@@ -294,7 +320,7 @@ private:
     LatticeSamples corners(this->Here, arrays);
     for (const Leaf& leaf : this->Leaves)
     {
-      const Leaf cells = WithArrays(leaf, {}, true);
+      const Leaf cells = WithArrays(leaf, {}, NamesOf(arrays));
       centres.Add(cells);
       corners.Add(cells);
     }
@@ -341,8 +367,9 @@ SampledData SampleData(vtkDataObject* data, const DataSampling& sampling, const 
                          "Give data with cells of three dimensions.");
   const std::array<int, 3> finest =
     DimensionsFor(whole.box, whole.cell, std::numeric_limits<vtkIdType>::max());
-  const Catalog catalog{ CatalogOf(ranks, leaves, vtkDataObject::POINT),
-    CatalogOf(ranks, leaves, vtkDataObject::CELL) };
+  const Catalog catalog = Wanted({ CatalogOf(ranks, leaves, vtkDataObject::POINT),
+                                   CatalogOf(ranks, leaves, vtkDataObject::CELL) },
+    sampling);
   const int copies = sampling.isWholeOnAll ? ranks.Size() : 1;
   const vtkIdType most =
     sampling.mostPoints > 0 ? sampling.mostPoints : PointsInMemory(ranks, catalog, copies);

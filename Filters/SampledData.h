@@ -28,6 +28,11 @@ struct DataSampling
   std::array<int, 3> dimensions{ { 0, 0, 0 } }; ///< points along each axis; 0: see SampleData
   vtkIdType mostPoints = 0;     ///< for dimensions that are chosen; 0: as memory allows
   std::set<std::string> labels; ///< point arrays that are never interpolated
+
+  /// The arrays that are wanted; "": the active scalars. If there are none, or one of them is
+  /// missing, all arrays are sampled, so that messages can name them.
+  std::set<std::string> wanted;
+  std::set<std::string> further; ///< arrays that are sampled, too, if they are there
   bool isWholeOnAll = false;    ///< whether each rank gets the whole image instead of a piece
 };
 

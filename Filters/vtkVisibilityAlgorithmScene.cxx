@@ -6,6 +6,7 @@
 #include "Choices.h"
 #include "InputArrays.h"
 #include "Memory.h"
+#include "OptimizedImage.h"
 #include "SettingsConversion.h"
 #include "SharedArray.h"
 #include "StructureLabels.h"
@@ -129,6 +130,10 @@ limpid::SampledData vtkVisibilityAlgorithm::SceneReader::Sample(
   limpid::DataSampling sampling;
   sampling.isWholeOnAll = isWholeOnAll;
   sampling.labels = { limpid::ChosenName(this->Self, limpid::structureArray) };
+  sampling.wanted = limpid::ChosenNames(this->Self);
+  // FindArray takes some of them, and the user is warned if others are replaced.
+  const std::vector<std::string>& results = limpid::ResultArrays::All();
+  sampling.further.insert(results.begin(), results.end());
   return limpid::SampleData(data, sampling, ranks);
 }
 

@@ -44,7 +44,7 @@ case "$job" in
     ;;
   tests)
     use_ccache
-    bash Testing/run.sh --parallel "$(nproc)"
+    bash Testing/run.sh
     ;;
   wheel)
     use_ccache

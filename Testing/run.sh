@@ -2,7 +2,7 @@
 # SPDX-FileCopyrightText: Copyright (c) Limpid developers
 # SPDX-License-Identifier: BSD-3-Clause
 
-# Installs what is missing, builds everything and runs the tests.
+# Installs what is missing, builds everything and runs the tests, one on each core.
 #   bash Testing/run.sh [--long] [CTEST-ARGUMENT]...
 # --long, or LIMPID_TEST_LONG=1 in the environment, adds the tests that take minutes.
 
@@ -15,6 +15,7 @@ if [[ "${1:-}" == --long ]]; then
   shift
 fi
 export LIMPID_TEST_LONG="$long" # some quick tests then take whole scenes
+export CTEST_PARALLEL_LEVEL="${CTEST_PARALLEL_LEVEL:-$(nproc)}"
 
 bash "$root/Testing/build.sh" --tests
 

@@ -711,6 +711,28 @@ class TestDegenerateInput(OptimizerTest):
                                                atol=1e-3 * largest)
             self.assertIsNone(phantom(24).GetPointData().GetArray("Extinction"))
 
+    def test_meshes_may_have_further_arrays(self):
+        meshes = vtkAppendFilter()
+        meshes.SetInputData(phantom(16))
+        meshes.Update()
+        expected = optimizer(meshes.GetOutput())
+        expected.Update()
+        data = meshes.GetOutput().NewInstance()
+        data.ShallowCopy(meshes.GetOutput())
+        for attributes, name, count in ((data.GetPointData(), "velocity", data.GetNumberOfPoints()),
+                                        (data.GetCellData(), "rank", data.GetNumberOfCells())):
+            array = numpy_to_vtk(np.arange(3.0 * count).reshape(-1, 3), deep=1)
+            array.SetName(name)
+            attributes.AddArray(array)
+        result = optimizer(data)
+        result.Update()
+        for name in ("Extinction", "Transmittance"):
+            np.testing.assert_array_equal(values(result.GetOutputDataObject(0), name),
+                                          values(expected.GetOutputDataObject(0), name))
+        self.assertIsNotNone(result.GetOutputDataObject(0).GetPointData().GetArray("velocity"))
+        result.SetInputArrayToProcess(1, 0, 0, POINTS, "pressure")
+        self.assert_refuses('"pressure" is not among', "velocity", "rank", filter_=result)
+
     def test_hyper_tree_grids_have_results_at_the_centres_of_their_cells(self):
         source = vtkRandomHyperTreeGridSource()
         source.SetDimensions(13, 13, 13)

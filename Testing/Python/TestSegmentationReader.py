@@ -149,6 +149,14 @@ class TestPlacements(ReaderTest):
     def test_with_one_time_step(self):
         write_nrrd(self.path("a.nrrd"), counted()[np.newaxis], OBLIQUE)
         self.expect("a.nrrd", counted(), OBLIQUE)
+        direction, spacing = np.eye(4), (0.5, 0.75, 2, 40)
+        direction[:3, :3] = rotation(40)
+        words = {"NDims": [4], "DimSize": [5, 4, 3, 1], "ElementSpacing": spacing, "Offset": [10, -20, 30, 7],
+                 "TransformMatrix": map(float, direction.T.ravel()), "ElementType": ["MET_UCHAR"],
+                 "ElementDataFile": ["LOCAL"]}
+        self.write_text("a.mha", "".join(f"{name} = {' '.join(map(str, words[name]))}\n" for name in words),
+                        counted("uint8"))
+        self.expect("a.mha", counted("uint8"), OBLIQUE)
 
     def write_text(self, name, text, data):
         with open(self.path(name), "wb") as file:

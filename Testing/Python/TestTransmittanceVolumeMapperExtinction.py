@@ -34,7 +34,7 @@ def add(data, name, array):
 
 def linear_property(*colors):
     """An extinction that is linear in the scalar: its interpolation is that of the scalar's."""
-    samples = np.linspace(0, 1, 8001)
+    samples = np.linspace(0, 1, 1001)
     opacities = 1 - np.exp(-STEEPNESS * UNIT_DISTANCE * samples)
     return property_of(colors_of(*colors), opacity_of(*zip(samples, opacities)), UNIT_DISTANCE)
 

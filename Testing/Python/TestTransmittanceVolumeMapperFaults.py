@@ -169,8 +169,8 @@ class TestBetweenFrames(MapperTest):
 
 class TestMemory(MapperTest):
     def test_many_renders_of_changing_input_take_no_more_memory(self):
-        images = [phantom(16), phantom(20)]
-        view, mapper = show(images[0], size=(80, 80), MaximumIterations=2)
+        images = [phantom(10), phantom(12)]
+        view, mapper = show(images[0], size=(60, 60), MaximumIterations=2)
         lamp = vtkLight()
         view.renderer.AddLight(lamp)
         after = {}

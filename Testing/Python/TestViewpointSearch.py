@@ -190,7 +190,7 @@ class TestSphere(SearchTest):
 class TestArrays(SearchTest):
     def test_are_those_of_the_contract_and_finite(self):
         for field_ in FIELDS:
-            result = self.run_filter(phantom(), Field=field_)
+            result = self.run_filter(phantom(12), Field=field_)
 
             self.assertLessEqual(SPHERE_ARRAYS, names_of(result.GetOutput().GetPointData()))
             for port in (VIEWPOINTS, PATHS):
@@ -312,10 +312,10 @@ class TestScores(SearchTest):
         image = phantom(32)
         for protect in (0, 1):
             output = self.run_filter(image, Field=ATTAINABLE, ProtectImportance=protect,
-                                     Sampling=FIBONACCI, NumberOfDirections=8).GetOutput()
+                                     Sampling=FIBONACCI, NumberOfDirections=4).GetOutput()
             np.testing.assert_array_equal(values(output, "AttainableFraction"),
                                           values(output, "VisibleFraction"))
-            for i in range(8):
+            for i in range(4):
                 expected = self.optimizer_at(image, output, i, ProtectImportance=protect,
                                              RayDensity=3)
                 # Both are quadratures of the same integral, with rays at different places.
@@ -517,7 +517,7 @@ class TestViewpoints(SearchTest):
                         output = self.run_filter(
                             image, CameraAspectRatio=aspect, CameraViewAngle=angle,
                             CameraParallelProjection=parallel, CameraViewUp=(0, 0, 1), Refine=0,
-                            NumberOfViewpoints=12).GetViewpoints()
+                            Field=PROXY, NumberOfViewpoints=12).GetViewpoints()
                         self.assertGreater(output.GetNumberOfPoints(), 8)
                         for i in range(output.GetNumberOfPoints()):
                             self.assert_filled(output, i, np.array(corners), aspect,
