@@ -11,6 +11,7 @@
 #include "StructureLabels.h"
 #include "vtkOptimizedVolumeRepresentationInternals.h"
 
+#include "vtkCellData.h"
 #include "vtkCommand.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"
@@ -21,14 +22,17 @@
 #include "vtkObjectFactory.h"
 #include "vtkOutlineSource.h"
 #include "vtkPVRenderView.h"
+#include "vtkPointData.h"
 #include "vtkRenderer.h"
 #include "vtkVolumeCollection.h"
 #include "vtkVolumeProperty.h"
 
 #include "distributed/Communicator.h"
 
+#include <algorithm>
 #include <array>
 #include <exception>
+#include <set>
 #include <sstream>
 
 vtkStandardNewMacro(vtkOptimizedVolumeRepresentation);
@@ -123,6 +127,36 @@ int vtkOptimizedVolumeRepresentation::FillInputPortInformation(int, vtkInformati
   return 1;
 }
 
+// Returns the names of the arrays that are used; empty: any may be.
+std::set<std::string> vtkOptimizedVolumeRepresentation::ArraysUsed()
+{
+  const Internals& state = *this->State;
+  std::set<std::string> names = limpid::ChosenNames(this);
+  if (names.count("") > 0)
+  {
+    return {}; // without a choice, whatever there is may be shown
+  }
+  const std::string& importance = state.ImportanceArray;
+  const bool isNamed = !importance.empty() && importance.front() != '(';
+  if (state.ImportanceGiven && isNamed)
+  {
+    names.insert(importance);
+  }
+  if (state.Mapper->GetExtinctionSource() == vtkTransmittanceVolumeMapper::ARRAY)
+  {
+    names.insert(state.Mapper->GetExtinctionArray());
+  }
+  return names;
+}
+
+// Returns whether the samples have all arrays that are used.
+bool vtkOptimizedVolumeRepresentation::HasSampled(const std::set<std::string>& names) const
+{
+  const std::set<std::string>& sampled = this->State->SampledArrays;
+  return sampled.empty() ||
+    (!names.empty() && std::includes(sampled.begin(), sampled.end(), names.begin(), names.end()));
+}
+
 // Samples input that is no image, unless that was done. Returns why it cannot be drawn; empty if it
 // can.
 std::string vtkOptimizedVolumeRepresentation::Sample(vtkDataObject* input)
@@ -136,6 +170,8 @@ std::string vtkOptimizedVolumeRepresentation::Sample(vtkDataObject* input)
   limpid::DataSampling sampling;
   sampling.dimensions = state.ImageDimensions;
   sampling.labels = { limpid::ChosenName(this, limpid::structureArray) };
+  sampling.wanted = this->ArraysUsed();
+  sampling.further = { "Importance" };
   std::ostringstream of;
   of << input->GetMTime() << ' ' << *sampling.labels.begin();
   for (const int points : sampling.dimensions)
@@ -145,20 +181,54 @@ std::string vtkOptimizedVolumeRepresentation::Sample(vtkDataObject* input)
   try
   {
     const std::shared_ptr<const limpid::Communicator> ranks = limpid::MakeRanks();
-    if (!ranks->AnyOf(!state.Sampled.image || of.str() != state.SampledOf))
+    const bool isOther = ranks->AnyOf(!state.Sampled.image || of.str() != state.SampledOf);
+    if (!isOther && this->HasSampled(sampling.wanted))
     {
       return {};
+    }
+    if (!isOther)
+    {
+      for (std::size_t axis = 0; axis < 3; ++axis)
+      {
+        sampling.dimensions[axis] = state.Sampled.extent[2 * axis + 1] + 1;
+      }
+      if (!sampling.wanted.empty())
+      {
+        sampling.wanted.insert(state.SampledArrays.begin(), state.SampledArrays.end());
+      }
     }
     state.Sampled = {};
     state.Sampled = limpid::NotifyingOnFailure(
       *ranks, [&] { return limpid::SampleData(input, sampling, *ranks); });
     state.SampledOf = of.str();
+    state.SampledArrays = sampling.wanted;
     return {};
   }
   catch (const std::exception& error)
   {
     vtkImageData* none = nullptr;
     return limpid::MessageOf(error, none, limpid::MemoryNeed{ 100, limpid::fewerPoints });
+  }
+}
+
+// Samples arrays that are used now and were not when the input was read.
+void vtkOptimizedVolumeRepresentation::SampleFurther()
+{
+  Internals& state = *this->State;
+  if (!state.Sampled.image || this->HasSampled(this->ArraysUsed()))
+  {
+    return;
+  }
+  state.Refusal = this->Sample(this->GetInputDataObject(0, 0));
+  for (vtkDataObject* shown : { vtkDataObject::SafeDownCast(this->Cache),
+         vtkDataObject::SafeDownCast(this->VolumeMapper->GetDataSetInput()) })
+  {
+    auto* image = vtkImageData::SafeDownCast(shown);
+    if (image && state.Sampled.image)
+    {
+      image->GetPointData()->ShallowCopy(state.Sampled.image->GetPointData());
+      image->GetCellData()->ShallowCopy(state.Sampled.image->GetCellData());
+    }
   }
 }
 
@@ -196,6 +266,7 @@ int vtkOptimizedVolumeRepresentation::RequestData(
 void vtkOptimizedVolumeRepresentation::UpdateMapperParameters()
 {
   this->Superclass::UpdateMapperParameters();
+  this->SampleFurther();
   std::vector<std::string> messages;
   if (!this->State->Refusal.empty())
   {

@@ -32,6 +32,7 @@
 #include "vtkVisibilitySettings.h"          // for the methods that are passed on
 
 #include <memory>  // for the hidden state
+#include <set>     // for names of arrays
 #include <string>  // for messages
 #include <utility> // for times and components
 #include <vector>  // for messages
@@ -273,6 +274,9 @@ protected:
 private:
   bool HasSomethingToDraw();
   std::string Sample(vtkDataObject* input);
+  std::set<std::string> ArraysUsed();
+  bool HasSampled(const std::set<std::string>& names) const;
+  void SampleFurther();
   void BeginFrame(vtkObject* renderer, unsigned long event, void* data);
   void EndFrame(vtkObject* renderer, unsigned long event, void* data);
   vtkDataArray* ApplyScalars(vtkImageData* image, std::vector<std::string>& messages);

@@ -21,6 +21,7 @@
 #include "scene/StartingImportance.h"
 
 #include <array>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -85,8 +86,9 @@ struct vtkOptimizedVolumeRepresentation::Internals
 
   vtkNew<vtkDoubleArray> StructureShares;
 
-  limpid::SampledData Sampled; // an image of input that is none
-  std::string SampledOf;       // what it was made of
+  limpid::SampledData Sampled;         // an image of input that is none
+  std::string SampledOf;               // what it was made of
+  std::set<std::string> SampledArrays; // names of its arrays; empty: all
   std::array<int, 3> ImageDimensions = {};
 
   std::string Refusal;                  // why the input cannot be drawn; empty if it can

@@ -87,6 +87,27 @@ class TestAnyData(displays.SampledDisplayTest):
         cell = 200 * (2 / (RESOLUTION - 1)) / 6 / (2 * np.tan(np.radians(15)))
         self.assertAlmostEqual(across, expected, delta=2 * cell)
 
+    def test_arrays_that_are_chosen_later_are_sampled_then(self):
+        image = simple.OcclusionPhantom(Resolution=RESOLUTION)
+        more = simple.Calculator(Input=image, ResultArrayName="Density", Function="1-Scalars")
+        more = simple.Calculator(Input=more, ResultArrayName="Mass", Function="Scalars*Importance+0.1*coordsX")
+        meshes = simple.AppendDatasets(Input=[more])
+
+        def look(source, array, importance):
+            display, picture = self.shown(source, ("POINTS", array), ImportanceArray=["POINTS", importance])
+            self.assertEqual(display.Messages, "")
+            simple.Show(source, self.view)
+            return picture
+
+        for array, importance in (("Scalars", "Importance"), ("Mass", "Importance"), ("Mass", "Density"),
+                                  ("Scalars", "Importance")):
+            with self.subTest(array=array, importance=importance):
+                picture = look(meshes, array, importance)
+                simple.Hide(meshes, self.view)
+                copy = simple.AppendDatasets(Input=[more])
+                np.testing.assert_array_equal(picture, look(copy, array, importance))
+                simple.Delete(copy)
+
     def test_trees_and_levels(self):
         for source in (simple.HyperTreeGridRandom(), simple.AMRGaussianPulseSource(Dimension=3)):
             source.UpdatePipeline()

@@ -39,6 +39,16 @@ class TestAnyDataOnRanks(displays.SampledDisplayTest):
         self.assert_alike({"hexahedra": simple.AppendDatasets(Input=[image])}, image,
                           StructureArray=["POINTS", "Labels"], Structures=["4", "core", "1", ""])
 
+    def test_arrays_that_are_chosen_later_are_sampled_then(self):
+        more = simple.Calculator(Input=simple.OcclusionPhantom(Resolution=32), ResultArrayName="Density",
+                                 Function="Scalars*Importance+0.1*coordsX")
+        meshes = simple.Tetrahedralize(Input=more)
+        self.shown(meshes)
+        pictures_of = [self.shown(source, ("POINTS", "Density"))[1]
+                       for source in (meshes, simple.Tetrahedralize(Input=more))]
+        self.assertGreater(pictures_of[0].std(), 3)
+        np.testing.assert_array_equal(*pictures_of)
+
     def test_filters(self):
         image = simple.OcclusionPhantom(Resolution=32)
         meshes = simple.Tetrahedralize(Input=image)
