@@ -9,17 +9,21 @@
 #include "vtkBoundingBox.h"
 #include "vtkCharArray.h"
 #include "vtkDataSetAttributes.h"
+#include "vtkGenericCell.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkProbeFilter.h"
+#include "vtkSMPTools.h"
 #include "vtkStaticPointLocator.h"
 
+#include "backend/Backend.h"
 #include "distributed/Communicator.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <iterator>
 #include <limits>
 #include <sstream>
 
@@ -32,6 +36,38 @@ const char* const Mask = "vtkValidPointMask"; // vtkProbeFilter's
 std::size_t BytesOf(vtkDataArray* array)
 {
   return std::size_t(array->GetNumberOfComponents()) * std::size_t(array->GetDataTypeSize());
+}
+
+// Returns how many probes shall work at once. vtkProbeFilter uses the threads of vtkSMPTools, of
+// which Debian's ParaView has one. Each probe looks at the bounds of all cells, so more would gain
+// little.
+int ThreadsForProbes()
+{
+  constexpr int most = 8;
+  return vtkSMPTools::GetEstimatedNumberOfThreads() > 1 ? 1 : std::min(ThreadCount(), most);
+}
+
+// Returns a filter that samples a leaf. It has its own view of it, since data sets keep what they
+// have computed.
+vtkSmartPointer<vtkProbeFilter> ProbeOf(const Lattice& lattice, vtkDataSet* leaf)
+{
+  vtkNew<vtkImageData> image;
+  image->SetOrigin(const_cast<double*>(lattice.origin.data()));
+  image->SetSpacing(const_cast<double*>(lattice.spacing.data()));
+  image->SetExtent(const_cast<int*>(lattice.extent.data()));
+  vtkSmartPointer<vtkDataSet> view;
+  view.TakeReference(leaf->NewInstance());
+  view->ShallowCopy(leaf);
+  // These are safe in several threads if one has called them before.
+  vtkNew<vtkGenericCell> cell;
+  double bounds[6];
+  view->GetCell(0, cell);
+  view->GetCellBounds(0, bounds);
+  view->GetBounds(bounds);
+  auto probe = vtkSmartPointer<vtkProbeFilter>::New();
+  probe->SetInputData(image);
+  probe->SetSourceData(view);
+  return probe;
 }
 
 unsigned char* AddressIn(vtkDataArray* array, vtkIdType point)
@@ -101,6 +137,20 @@ Lattice Lattice::Around(const std::vector<Leaf>& leaves) const
   double bounds[6];
   box.GetBounds(bounds);
   return this->Around(bounds);
+}
+
+std::vector<Lattice> Lattice::Slabs(int most) const
+{
+  std::vector<Lattice> slabs;
+  const int layers = this->Count() > 0 ? this->extent[5] - this->extent[4] + 1 : 0;
+  const int count = std::min(most, layers);
+  for (int slab = 0; slab < count; ++slab)
+  {
+    slabs.push_back(*this);
+    slabs.back().extent[4] = this->extent[4] + layers * slab / count;
+    slabs.back().extent[5] = this->extent[4] + layers * (slab + 1) / count - 1;
+  }
+  return slabs;
 }
 
 Lattice Lattice::OfCells() const
@@ -212,20 +262,20 @@ void LatticeSamples::Use(vtkDataSetAttributes* values)
 
 std::vector<vtkIdType> LatticeSamples::Add(vtkDataSet* leaf)
 {
-  const Lattice part = this->Here.Around(leaf->GetBounds());
-  if (part.Count() == 0)
+  std::vector<Lattice> slabs = this->Here.Around(leaf->GetBounds()).Slabs(ThreadsForProbes());
+  std::vector<vtkSmartPointer<vtkProbeFilter>> probes;
+  std::transform(slabs.begin(), slabs.end(), std::back_inserter(probes),
+    [leaf](const Lattice& slab) { return ProbeOf(slab, leaf); });
+  ParallelFor(Index(probes.size()), [&](Index slab) { probes[std::size_t(slab)]->Update(); });
+  std::vector<vtkIdType> sampled;
+  for (std::size_t slab = 0; slab < slabs.size(); ++slab)
   {
-    return {};
+    const std::vector<vtkIdType> points =
+      this->Take(probes[slab]->GetOutput()->GetPointData(), slabs[slab]);
+    sampled.insert(sampled.end(), points.begin(), points.end());
+    probes[slab] = nullptr;
   }
-  vtkNew<vtkImageData> image;
-  image->SetOrigin(part.origin.data());
-  image->SetSpacing(part.spacing.data());
-  image->SetExtent(const_cast<int*>(part.extent.data()));
-  vtkNew<vtkProbeFilter> probe;
-  probe->SetInputData(image);
-  probe->SetSourceData(leaf);
-  probe->Update();
-  return this->Take(probe->GetOutput()->GetPointData(), part);
+  return sampled;
 }
 
 std::vector<vtkIdType> LatticeSamples::Take(vtkPointData* sampled, const Lattice& part)

@@ -43,6 +43,9 @@ struct Lattice
   /// Returns the part of it in which leaves are, and a point around.
   Lattice Around(const std::vector<Leaf>& leaves) const;
 
+  /// Returns its parts between planes across the last axis; none, if it has no points.
+  std::vector<Lattice> Slabs(int most) const;
+
   /// Returns the centres of its cells.
   Lattice OfCells() const;
 };

@@ -209,8 +209,8 @@ Catalog Wanted(const Catalog& all, const DataSampling& sampling)
   };
   take(all.ofPoints, some.ofPoints);
   take(all.ofCells, some.ofCells);
-  const bool hasAll = std::includes(
-    found.begin(), found.end(), sampling.wanted.begin(), sampling.wanted.end());
+  const bool hasAll =
+    std::includes(found.begin(), found.end(), sampling.wanted.begin(), sampling.wanted.end());
   return hasAll && !sampling.wanted.empty() ? some : all;
 }
 
@@ -232,15 +232,19 @@ void Blank(const LatticeSamples& samples, vtkImageData* image)
   }
 }
 
-// Returns the lattice over the box, a little smaller, see Border.
+// Returns the lattice over the box, a little smaller, see Border. Origin and spacing have so few
+// digits that coordinates are exact: points are the same in every part of the lattice.
 Lattice LatticeOver(const vtkBoundingBox& box, const std::array<int, 3>& dimensions)
 {
+  constexpr int digits = 24;
   Lattice lattice;
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
     const double length = box.GetLength(int(axis));
-    lattice.origin[axis] = box.GetMinPoint()[axis] + Border * length;
-    lattice.spacing[axis] = (1 - 2 * Border) * length / (dimensions[axis] - 1);
+    const double spacing = (1 - 2 * Border) * length / (dimensions[axis] - 1);
+    const double unit = std::ldexp(1.0, std::ilogb(spacing) + 1 - digits);
+    lattice.origin[axis] = std::ceil((box.GetMinPoint()[axis] + Border * length) / unit) * unit;
+    lattice.spacing[axis] = std::floor(spacing / unit) * unit;
     lattice.extent[2 * axis] = 0;
     lattice.extent[2 * axis + 1] = dimensions[axis] - 1;
   }
