@@ -110,12 +110,12 @@ struct NrrdAxes
     std::size_t others = 0; // points along other axes
     if (this->sizes.size() == 4)
     {
-      const bool isFirst = this->directions.empty() ? this->sizes.front() == 1
-                                                    : !this->directions.front().has_value();
+      const bool isFirst =
+        this->directions.empty() ? this->sizes.front() == 1 : !this->directions.front().has_value();
       this->first = this->hasLayers || isFirst ? 1 : 0;
-      others = this->hasLayers ? 1
-                               : static_cast<std::size_t>(this->first == 1 ? this->sizes.front()
-                                                                           : this->sizes.back());
+      others = this->hasLayers
+        ? 1
+        : static_cast<std::size_t>(this->first == 1 ? this->sizes.front() : this->sizes.back());
     }
     LIMPID_REQUIRE(this->sizes.size() == 3 || others == 1,
       "It has " << this->sizes.size()

@@ -33,7 +33,7 @@ struct DataSampling
   /// missing, all arrays are sampled, so that messages can name them.
   std::set<std::string> wanted;
   std::set<std::string> further; ///< arrays that are sampled, too, if they are there
-  bool isWholeOnAll = false;    ///< whether each rank gets the whole image instead of a piece
+  bool isWholeOnAll = false;     ///< whether each rank gets the whole image instead of a piece
 };
 
 /// An image of data.
