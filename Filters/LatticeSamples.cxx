@@ -38,13 +38,17 @@ std::size_t BytesOf(vtkDataArray* array)
   return std::size_t(array->GetNumberOfComponents()) * std::size_t(array->GetDataTypeSize());
 }
 
-// Returns how many probes shall work at once. vtkProbeFilter uses the threads of vtkSMPTools, of
-// which Debian's ParaView has one. Each probe looks at the bounds of all cells, so more would gain
-// little.
-int ThreadsForProbes()
+// Returns how many probes shall work on a leaf at once. vtkProbeFilter uses the threads of
+// vtkSMPTools, of which Debian's ParaView has one. Each probe looks at the bounds of all cells, so
+// more would gain little.
+int ProbesFor(vtkDataSet* leaf, const Lattice& lattice)
 {
   constexpr int most = 8;
-  return vtkSMPTools::GetEstimatedNumberOfThreads() > 1 ? 1 : std::min(ThreadCount(), most);
+  constexpr vtkIdType least = 20000; // cells and points that are worth a probe
+  const vtkIdType worthwhile = (leaf->GetNumberOfCells() + lattice.Count()) / least;
+  const int threads = vtkSMPTools::GetEstimatedNumberOfThreads() > 1 ? 1 : ThreadCount();
+  return static_cast<int>(
+    std::max<vtkIdType>(std::min<vtkIdType>(worthwhile, std::min(threads, most)), 1));
 }
 
 // Returns a filter that samples a leaf. It has its own view of it, since data sets keep what they
@@ -262,7 +266,8 @@ void LatticeSamples::Use(vtkDataSetAttributes* values)
 
 std::vector<vtkIdType> LatticeSamples::Add(vtkDataSet* leaf)
 {
-  std::vector<Lattice> slabs = this->Here.Around(leaf->GetBounds()).Slabs(ThreadsForProbes());
+  const Lattice part = this->Here.Around(leaf->GetBounds());
+  const std::vector<Lattice> slabs = part.Slabs(ProbesFor(leaf, part));
   std::vector<vtkSmartPointer<vtkProbeFilter>> probes;
   std::transform(slabs.begin(), slabs.end(), std::back_inserter(probes),
     [leaf](const Lattice& slab) { return ProbeOf(slab, leaf); });

@@ -742,7 +742,7 @@ class TestDegenerateInput(OptimizerTest):
             from vtkmodules.vtkFiltersGeneral import vtkDataSetTriangleFilter
             from images import phantom, values
             from limpid.vtkLimpidFilters import vtkExtinctionOptimizer
-            image = phantom(16)
+            image = phantom(24)
             image.SetSpacing(0.0337, 0.0291, 0.0417)  # which doubles have not exactly
             image.SetOrigin(12.345, -7.1, 3.3)
             cells = vtkDataSetTriangleFilter()
@@ -757,7 +757,7 @@ class TestDegenerateInput(OptimizerTest):
             preexec_fn=functools.partial(os.sched_setaffinity, 0, processors)).stdout
                  for processors in ({min(os.sched_getaffinity(0))}, os.sched_getaffinity(0))}
         self.assertEqual(len(found), 1)
-        self.assertGreater(len(found.pop()), 8 * 16**3)
+        self.assertGreater(len(found.pop()), 8 * 24**3)
 
     def test_hyper_tree_grids_have_results_at_the_centres_of_their_cells(self):
         source = vtkRandomHyperTreeGridSource()
