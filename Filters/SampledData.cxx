@@ -251,13 +251,14 @@ Lattice LatticeOver(const vtkBoundingBox& box, const std::array<int, 3>& dimensi
   return lattice;
 }
 
-// Returns the part of a lattice that a rank shall have.
+// Returns the part of a lattice that a rank shall have, with a layer around: averages of cells at
+// points on its border need the cells on both sides.
 Lattice PieceOf(const Lattice& whole, const Communicator& ranks)
 {
   std::array<int, 6> all = whole.extent;
   Lattice piece = whole;
   vtkNew<vtkExtentTranslator> translator;
-  const int has = translator->PieceToExtentThreadSafe(ranks.Rank(), ranks.Size(), 0, all.data(),
+  const int has = translator->PieceToExtentThreadSafe(ranks.Rank(), ranks.Size(), 1, all.data(),
     piece.extent.data(), vtkExtentTranslator::BLOCK_MODE, 0);
   piece.extent = has ? piece.extent : std::array<int, 6>{ { 0, -1, 0, -1, 0, -1 } };
   return piece;

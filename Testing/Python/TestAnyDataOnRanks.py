@@ -76,6 +76,17 @@ class TestAnyDataOnRanks(displays.SampledDisplayTest):
         expected, found = [search.PointData["VisibilityScore"].GetRange() for search in searches]
         np.testing.assert_allclose(found, expected, rtol=5e-3)
 
+    def test_cells_at_borders_of_pieces_are_averaged_from_both_sides(self):
+        cells = simple.PointDatatoCellData(Input=simple.OcclusionPhantom(Resolution=12))
+        scores = []
+        for data in (cells, simple.AppendDatasets(Input=[cells])):
+            result = simple.ExtinctionOptimizer(Input=data, ScalarArray=["CELLS", "Scalars"],
+                                                ImportanceArray=["CELLS", "Importance"])
+            result.UpdatePipeline()
+            scores.append([result.FieldData[name].GetRange()[0]
+                           for name in ("VisibilityScore", "BaseVisibilityScore", "VisibleFraction")])
+        np.testing.assert_allclose(scores[1], scores[0], rtol=1e-4)
+
     def test_data_without_a_volume_say_so(self):
         display = displays.show(simple.AppendDatasets(Input=[simple.Sphere()]), self.view, array=("POINTS", "Normals"))
         pictures.take(self.view)
