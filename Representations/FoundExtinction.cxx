@@ -3,8 +3,11 @@
 
 #include "FoundExtinction.h"
 
+#include "vtkPVArrayInformation.h"
+#include "vtkPVDataInformation.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMProxy.h"
+#include "vtkSMSourceProxy.h"
 #include "vtkSMTrace.h"
 
 namespace limpid
@@ -24,20 +27,30 @@ vtkSMProxy* OptimizerOf(vtkSMProxy* display)
     std::string(source->GetXMLName()) == "ExtinctionOptimizer";
   return isIt ? source : nullptr;
 }
+
+// Returns where the filter's results are: hyper tree grids have cells only.
+int AssociationOf(vtkSMProxy* optimizer)
+{
+  auto* source = vtkSMSourceProxy::SafeDownCast(optimizer);
+  const bool areOnCells =
+    source && source->GetDataInformation(0)->GetArrayInformation("Extinction", vtkDataObject::CELL);
+  return areOnCells ? vtkDataObject::CELL : vtkDataObject::POINT;
+}
 }
 
 void ShowFoundExtinction(vtkSMProxy* volume, vtkSMProxy* display)
 {
   vtkSMPropertyHelper source(volume, "ExtinctionSource");
   vtkSMPropertyHelper method(volume, "Method");
-  if (!OptimizerOf(display) || source.GetAsInt() != 0 || method.GetAsInt() != 0)
+  vtkSMProxy* optimizer = OptimizerOf(display);
+  if (!optimizer || source.GetAsInt() != 0 || method.GetAsInt() != 0)
   {
     return;
   }
   SM_SCOPED_TRACE(PropertiesModified).arg("proxy", display);
   source.Set(Array);
   vtkSMPropertyHelper(volume, "ExtinctionArray")
-    .SetInputArrayToProcess(vtkDataObject::POINT, "Extinction");
+    .SetInputArrayToProcess(AssociationOf(optimizer), "Extinction");
   method.Set(Ordinary);
   volume->UpdateVTKObjects();
 }

@@ -123,6 +123,15 @@ class TestAnyData(displays.SampledDisplayTest):
             self.assertEqual(display.Messages, "")
             simple.Delete(source)
 
+    def test_results_in_cells_are_shown(self):
+        result = simple.ExtinctionOptimizer(Input=simple.HyperTreeGridRandom(), ScalarArray=["CELLS", "Depth"])
+        result.UpdatePipeline()
+        display = simple.Show(result, self.view)
+        pictures.take(self.view)
+        display.UpdatePropertyInformation()
+        self.assertEqual(list(display.ExtinctionArray), ["CELLS", "Extinction"])
+        self.assertEqual(display.Messages, "")
+
     def test_dimensions_that_are_given(self):
         meshes = simple.AppendDatasets(Input=[simple.OcclusionPhantom(Resolution=RESOLUTION)])
         display, fine = self.shown(meshes)
