@@ -130,30 +130,19 @@ Places CentresOf(vtkHyperTreeGrid* trees)
 std::vector<Places> PlacesOf(vtkDataObject* data)
 {
   std::vector<Places> all;
-  const auto add = [&all](vtkDataObject* object)
-  {
-    if (auto* trees = vtkHyperTreeGrid::SafeDownCast(object))
+  ForObjectsOf(data,
+    [&all](vtkDataObject* object)
     {
-      all.push_back(CentresOf(trees));
-    }
-    else if (auto* points = vtkDataSet::SafeDownCast(object);
-             points && points->GetNumberOfCells() > 0)
-    {
-      all.push_back(PointsIn(points));
-    }
-  };
-  auto* blocks = vtkCompositeDataSet::SafeDownCast(data);
-  if (!blocks)
-  {
-    add(data);
-    return all;
-  }
-  vtkSmartPointer<vtkCompositeDataIterator> block;
-  block.TakeReference(blocks->NewIterator());
-  for (block->InitTraversal(); !block->IsDoneWithTraversal(); block->GoToNextItem())
-  {
-    add(block->GetCurrentDataObject());
-  }
+      if (auto* trees = vtkHyperTreeGrid::SafeDownCast(object))
+      {
+        all.push_back(CentresOf(trees));
+      }
+      else if (auto* points = vtkDataSet::SafeDownCast(object);
+               points && points->GetNumberOfCells() > 0)
+      {
+        all.push_back(PointsIn(points));
+      }
+    });
   return all;
 }
 

@@ -54,29 +54,34 @@ bool HasLevels(vtkDataObject* data)
 }
 }
 
-std::vector<Leaf> LeavesOf(vtkDataObject* data)
+void ForObjectsOf(vtkDataObject* data, const std::function<void(vtkDataObject*)>& what)
 {
-  std::vector<Leaf> leaves;
-  const auto add = [&leaves](vtkDataObject* object)
-  {
-    const Leaf leaf = AsDataSet(object);
-    if (IsFilled(leaf))
-    {
-      leaves.push_back(leaf);
-    }
-  };
   auto* blocks = vtkCompositeDataSet::SafeDownCast(data);
   if (!blocks)
   {
-    add(data);
-    return leaves;
+    what(data);
+    return;
   }
   vtkSmartPointer<vtkCompositeDataIterator> block;
   block.TakeReference(blocks->NewIterator());
   for (block->InitTraversal(); !block->IsDoneWithTraversal(); block->GoToNextItem())
   {
-    add(block->GetCurrentDataObject());
+    what(block->GetCurrentDataObject());
   }
+}
+
+std::vector<Leaf> LeavesOf(vtkDataObject* data)
+{
+  std::vector<Leaf> leaves;
+  ForObjectsOf(data,
+    [&leaves](vtkDataObject* object)
+    {
+      const Leaf leaf = AsDataSet(object);
+      if (IsFilled(leaf))
+      {
+        leaves.push_back(leaf);
+      }
+    });
   if (HasLevels(data))
   {
     std::stable_sort(leaves.begin(), leaves.end(),

@@ -11,6 +11,7 @@
 #include "vtkSmartPointer.h"
 
 #include <array>
+#include <functional>
 #include <set>
 #include <string>
 #include <vector>
@@ -23,6 +24,9 @@ using Leaf = vtkSmartPointer<vtkDataSet>;
 
 /// The name of the cell array that WithArrays adds.
 constexpr const char* hiddenCells = "LimpidHidden";
+
+/// Calls what(object) for data, or for each of those in a collection.
+void ForObjectsOf(vtkDataObject* data, const std::function<void(vtkDataObject*)>& what);
 
 /// Returns the data sets with cells, in the order in which they count: those of the finest level
 /// first.
