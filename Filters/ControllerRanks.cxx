@@ -193,4 +193,9 @@ std::shared_ptr<const Communicator> MakeRanks()
   return ThisProcess();
 }
 #endif
+
+std::shared_ptr<const Communicator> RanksThatUpdate(vtkInformation* outInfo)
+{
+  return AllRanksUpdate(outInfo) ? MakeRanks() : ThisProcess();
+}
 }

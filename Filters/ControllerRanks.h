@@ -26,6 +26,11 @@ VTKLIMPIDFILTERS_EXPORT bool AreSeveral();
 /// Returns a communicator of these processes for one computation; that of this process if there are
 /// no others. Collective: all processes must call it, in the same order.
 VTKLIMPIDFILTERS_EXPORT std::shared_ptr<const Communicator> MakeRanks();
+
+/// Returns those of MakeRanks if they share the work on an output (AllRanksUpdate), else this process
+/// alone.
+VTKLIMPIDFILTERS_EXPORT std::shared_ptr<const Communicator> RanksThatUpdate(
+  vtkInformation* outInfo);
 }
 
 #endif

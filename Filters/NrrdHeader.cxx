@@ -107,17 +107,12 @@ struct NrrdAxes
     , directions(header.Vectors("space directions"))
     , hasLayers(this->sizes.size() == 4 && header.Has("segment0_name"))
   {
-    std::size_t others = 0; // points along other axes
-    if (this->sizes.size() == 4)
-    {
-      const bool isFirst =
-        this->directions.empty() ? this->sizes.front() == 1 : !this->directions.front().has_value();
-      this->first = this->hasLayers || isFirst ? 1 : 0;
-      others = this->hasLayers
-        ? 1
-        : static_cast<std::size_t>(this->first == 1 ? this->sizes.front() : this->sizes.back());
-    }
-    LIMPID_REQUIRE(this->sizes.size() == 3 || others == 1,
+    const bool hasFourth = this->sizes.size() == 4;
+    const bool isFourthFirst = hasFourth &&
+      (this->directions.empty() ? this->sizes.front() == 1 : !this->directions.front().has_value());
+    this->first = this->hasLayers || isFourthFirst ? 1 : 0;
+    const double entries = isFourthFirst ? this->sizes.front() : this->sizes.back();
+    LIMPID_REQUIRE(this->sizes.size() == 3 || this->hasLayers || (hasFourth && entries == 1),
       "It has " << this->sizes.size()
                 << " axes (a volume has 3; one more has layers of segments, if it names these, or "
                    "a single entry). Extract one volume.");

@@ -3,6 +3,7 @@
 
 #include "StructureTableFile.h"
 
+#include "TextHeader.h"
 #include "Utf8.h"
 
 #include <vtksys/FStream.hxx>
@@ -23,15 +24,6 @@ namespace
 {
 using Fields = std::vector<std::string>;
 using Row = std::pair<std::int64_t, StructureLook>; // label, name and colour
-
-const char* const blanks = " \t\r";
-
-std::string Trimmed(const std::string& text)
-{
-  const std::size_t first = text.find_first_not_of(blanks);
-  return first == std::string::npos ? ""
-                                    : text.substr(first, text.find_last_not_of(blanks) + 1 - first);
-}
 
 // Splits a line at any of some characters outside of double quotes, which stay.
 Fields Split(const std::string& line, const std::string& delimiters)

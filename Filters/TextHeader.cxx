@@ -18,15 +18,11 @@
 
 namespace limpid
 {
-namespace
-{
 std::string Trimmed(const std::string& text)
 {
-  const char* const blanks = " \t\r";
   const std::size_t first = text.find_first_not_of(blanks);
   return first == std::string::npos ? ""
                                     : text.substr(first, text.find_last_not_of(blanks) + 1 - first);
-}
 }
 
 TextHeader::TextHeader(const std::string& path, char delimiter, const std::string& last)

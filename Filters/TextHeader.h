@@ -19,6 +19,11 @@
 
 namespace limpid
 {
+constexpr const char* blanks = " \t\r"; ///< that separate words on a line
+
+/// Returns a text without the blanks around it.
+std::string Trimmed(const std::string& text);
+
 /// The fields of a header. A field may have several names, of which the first that is there counts.
 class TextHeader
 {

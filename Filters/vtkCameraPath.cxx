@@ -381,9 +381,7 @@ int vtkCameraPath::RequestData(
   vtkInformation* input = inputVector[0]->GetInformationObject(0);
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   const Internals& state = *this->State;
-  const auto ranks = limpid::AllRanksUpdate(outputVector->GetInformationObject(0))
-    ? limpid::MakeRanks()
-    : limpid::ThisProcess();
+  const auto ranks = limpid::RanksThatUpdate(outputVector->GetInformationObject(0));
   try
   {
     state.RequireSettings();

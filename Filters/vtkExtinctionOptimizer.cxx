@@ -211,8 +211,7 @@ int vtkExtinctionOptimizer::RequestOfMesh(
   try
   {
     vtkInformation* outInfo = outputVector->GetInformationObject(0);
-    const std::shared_ptr<const limpid::Communicator> ranks =
-      limpid::AllRanksUpdate(outInfo) ? limpid::MakeRanks() : limpid::ThisProcess();
+    const std::shared_ptr<const limpid::Communicator> ranks = limpid::RanksThatUpdate(outInfo);
     limpid::NotifyingOnFailure(*ranks,
       [&]
       {

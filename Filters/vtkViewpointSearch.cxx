@@ -146,8 +146,7 @@ int vtkViewpointSearch::RequestData(
   {
     vtkInformation* requested = RequestedOf(request, outputVector);
     const bool isLaterPiece = requested->Get(Pipeline::UPDATE_PIECE_NUMBER()) > 0;
-    this->State->Ranks =
-      limpid::AllRanksUpdate(requested) ? limpid::MakeRanks() : limpid::ThisProcess();
+    this->State->Ranks = limpid::RanksThatUpdate(requested);
     limpid::NotifyingOnFailure(
       *this->State->Ranks, [&] { this->State->SearchAny(inputVector, isLaterPiece, outputs); });
     return 1;
