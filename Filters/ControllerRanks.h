@@ -27,8 +27,8 @@ VTKLIMPIDFILTERS_EXPORT bool AreSeveral();
 /// no others. Collective: all processes must call it, in the same order.
 VTKLIMPIDFILTERS_EXPORT std::shared_ptr<const Communicator> MakeRanks();
 
-/// Returns those of MakeRanks if they share the work on an output (AllRanksUpdate), else this process
-/// alone.
+/// Returns those of MakeRanks if they share the work on an output (AllRanksUpdate), else this
+/// process alone.
 VTKLIMPIDFILTERS_EXPORT std::shared_ptr<const Communicator> RanksThatUpdate(
   vtkInformation* outInfo);
 }

@@ -238,14 +238,23 @@ void AddFields(const Solver& solver, const SceneArrays& arrays, double unitDista
   }
 }
 
-void AddFields(const ControlledScene& controlled, const Solver& found, const SceneArrays& arrays,
-  double unitDistance, bool separate, const ResultArrays& wanted, vtkImageData* output)
+std::optional<ScoresOnData> AddFields(ControlledScene& controlled, std::unique_ptr<Solver>& found,
+  const SceneArrays& arrays, double unitDistance, bool separate, const ResultArrays& wanted,
+  const Progress& progress, vtkImageData* output)
 {
   const vtkIdType count = output->GetNumberOfPoints();
   const auto extinction = NewArray<vtkFloatArray>("Extinction", count);
   const auto light = NewArray<vtkFloatArray>("LightExtinction", separate ? count : 0);
-  controlled.FillExtinction(
-    found, extinction->GetPointer(0), separate ? light->GetPointer(0) : nullptr);
+  std::optional<ScoresOnData> scores;
+  if (controlled.CanSweepData(found->Options()))
+  {
+    scores = controlled.SweepData(std::move(found), progress, extinction->GetPointer(0));
+  }
+  else
+  {
+    controlled.FillExtinction(
+      *found, extinction->GetPointer(0), separate ? light->GetPointer(0) : nullptr);
+  }
   if (wanted.Has("Opacity"))
   {
     AddOpacity(extinction->GetPointer(0), unitDistance, output);
@@ -258,6 +267,7 @@ void AddFields(const ControlledScene& controlled, const Solver& found, const Sce
     }
   }
   AddInputs(arrays, wanted, output);
+  return scores;
 }
 
 void AddUnsolvedFields(const SceneArrays& arrays, double unitDistance, bool separate,

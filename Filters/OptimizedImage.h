@@ -8,6 +8,8 @@
 
 #include "optimize/Solver.h"
 
+#include <memory>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -23,6 +25,7 @@ struct ConcurrentResult;
 class ControlledScene;
 struct TargetsFound;
 struct Light;
+struct ScoresOnData;
 struct SceneArrays;
 
 /// Names of the point arrays that a filter writes.
@@ -59,9 +62,11 @@ void AddFields(const Solver& solver, const SceneArrays& arrays, double unitDista
 
 /// Adds the point arrays of a change that was found on a coarser grid, without those of sweeps, and
 /// without those of a scene that is converted in layers. `separate`: also the extinction for the
-/// light.
-void AddFields(const ControlledScene& controlled, const Solver& found, const SceneArrays& arrays,
-  double unitDistance, bool separate, const ResultArrays& wanted, vtkImageData* output);
+/// light. If that is possible, the change is improved at the resolution of the data: then it
+/// takes the solver, and returns scores on the data, see ControlledScene::SweepData.
+std::optional<ScoresOnData> AddFields(ControlledScene& controlled, std::unique_ptr<Solver>& found,
+  const SceneArrays& arrays, double unitDistance, bool separate, const ResultArrays& wanted,
+  const Progress& progress, vtkImageData* output);
 
 /// Adds the point arrays and scores of a scene in which nothing can be hidden, because the image
 /// has no volume: the base extinction with transmittances of 1. `separate`: also the extinction for

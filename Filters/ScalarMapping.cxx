@@ -123,10 +123,10 @@ float MapValue(const ScalarMapping& mapping, double value)
 
 struct MapWorker
 {
-  vtkIdType first; // tuple
-  vtkIdType count; // of tuples
+  TupleBox box;
   int component;
   const ScalarMapping& mapping;
+  std::vector<float>& table; // of types of eight or sixteen bits: values of all numbers, made once
   float* field;
 
   template <class ArrayType>
@@ -151,23 +151,18 @@ struct MapWorker
   {
     constexpr int highest = std::numeric_limits<Value>::max();
     constexpr int lowest = std::is_signed<Value>::value ? -highest - 1 : 0;
-    std::vector<float> table(static_cast<std::size_t>(highest - lowest) + 1);
-    for (int value = lowest; value <= highest; ++value)
+    for (int value = lowest; this->table.size() <= std::size_t(highest - lowest); ++value)
     {
-      table[static_cast<std::size_t>(value - lowest)] = MapValue(this->mapping, value);
+      this->table.push_back(MapValue(this->mapping, value));
     }
-
+    const float* values = this->table.data();
     const int chosen = std::max(this->component, 0);
     const auto tuples = vtk::DataArrayTupleRange(array);
-    ForOnAllCores(this->count,
-      [&](vtkIdType begin, vtkIdType end)
+    this->ForTuples(
+      [&](vtkIdType tuple, float& out)
       {
-        for (vtkIdType i = begin; i < end; ++i)
-        {
-          const vtkIdType from = this->first + i;
-          const int value = static_cast<int>(static_cast<Value>(tuples[from][chosen]));
-          this->field[i] = table[static_cast<std::size_t>(value - lowest)];
-        }
+        const int value = static_cast<int>(static_cast<Value>(tuples[tuple][chosen]));
+        out = values[value - lowest];
       });
   }
 
@@ -175,13 +170,29 @@ struct MapWorker
   void Compute(ArrayType* array) const
   {
     const auto tuples = vtk::DataArrayTupleRange(array);
-    ForOnAllCores(this->count,
+    this->ForTuples([&](vtkIdType tuple, float& out)
+      { out = MapValue(this->mapping, ValueOf(tuples[tuple], this->component)); });
+  }
+
+  // Calls map(tuple, value) for all tuples of the box.
+  template <class Map>
+  void ForTuples(const Map& map) const
+  {
+    const TupleBox of = this->box;
+    ForOnAllCores(of.length * of.rows * of.layers,
       [&](vtkIdType begin, vtkIdType end)
       {
-        for (vtkIdType i = begin; i < end; ++i)
+        while (begin < end)
         {
-          const auto tuple = tuples[this->first + i];
-          this->field[i] = MapValue(this->mapping, ValueOf(tuple, this->component));
+          const vtkIdType row = begin / of.length;
+          const vtkIdType inRow = begin % of.length;
+          const vtkIdType stop = std::min(end, begin + of.length - inRow);
+          vtkIdType tuple =
+            of.first + row / of.rows * of.toNextLayer + row % of.rows * of.toNextRow + inRow;
+          for (; begin < stop; ++begin)
+          {
+            map(tuple++, this->field[begin]);
+          }
         }
       });
   }
@@ -315,12 +326,18 @@ void FiniteRange(vtkDataArray* array, int component, double& low, double& high)
 
 void MapArray(vtkDataArray* array, int component, const ScalarMapping& mapping, float* field)
 {
-  MapTuples(array, 0, array->GetNumberOfTuples(), component, mapping, field);
+  TupleMapping(array, component, mapping).Fill({ 0, array->GetNumberOfTuples() }, field);
 }
 
-void MapTuples(vtkDataArray* array, vtkIdType begin, vtkIdType end, int component,
-  const ScalarMapping& mapping, float* field)
+TupleMapping::TupleMapping(vtkDataArray* array, int component, ScalarMapping mapping)
+  : Array(array)
+  , Component(component)
+  , Mapping(std::move(mapping))
 {
-  Dispatch(array, MapWorker{ begin, end - begin, component, mapping, field });
+}
+
+void TupleMapping::Fill(const TupleBox& box, float* field)
+{
+  Dispatch(this->Array, MapWorker{ box, this->Component, this->Mapping, this->Table, field });
 }
 }

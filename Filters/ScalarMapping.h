@@ -10,6 +10,7 @@
 #include "vtkType.h"
 
 #include <functional>
+#include <vector>
 
 class vtkDataArray;
 class vtkPiecewiseFunction;
@@ -58,10 +59,33 @@ VTKLIMPIDFILTERS_EXPORT void FiniteRange(
 VTKLIMPIDFILTERS_EXPORT void MapArray(
   vtkDataArray* array, int component, const ScalarMapping& mapping, float* field);
 
-/// Does this for the tuples from `begin` to before `end`, the first of which is written to
-/// field[0].
-void MapTuples(vtkDataArray* array, vtkIdType begin, vtkIdType end, int component,
-  const ScalarMapping& mapping, float* field);
+/// Some tuples of an array: rows of consecutive ones in layers.
+struct TupleBox
+{
+  vtkIdType first;    ///< tuple
+  vtkIdType length;   ///< of a row
+  vtkIdType rows = 1; ///< of a layer
+  vtkIdType layers = 1;
+  vtkIdType toNextRow = 0;
+  vtkIdType toNextLayer = 0;
+};
+
+/// Does this for some tuples again and again.
+class TupleMapping
+{
+public:
+  /// The array must outlive this object.
+  TupleMapping(vtkDataArray* array, int component, ScalarMapping mapping);
+
+  /// Writes the values of a box, row by row.
+  void Fill(const TupleBox& box, float* field);
+
+private:
+  vtkDataArray* Array;
+  int Component;
+  ScalarMapping Mapping;
+  std::vector<float> Table; ///< see MapWorker
+};
 }
 
 #endif

@@ -250,38 +250,44 @@ bool LayeredFields::Suit(
 
 LayeredFields::LayeredFields(
   vtkImageData* image, const FieldSource& extinction, const FieldSource& importance)
-  : All(image->GetNumberOfPoints())
-  , Extinction(extinction)
-  , Importance(importance)
+  : Points(GridOfImage(image).nodes)
+  , Extinction(extinction.array, extinction.component, extinction.mapping)
+  , Importance(importance.array, importance.component, importance.mapping)
 {
-  const int* points = image->GetDimensions();
-  this->PerLayer = vtkIdType(points[0]) * points[1];
   RequireOneEach(image, extinction);
   RequireOneEach(image, importance);
 }
 
-void LayeredFields::Fill(const Range<int>& layers, float* baseExtinction, float* importance)
+void LayeredFields::Fill(const NodeBox& box, float* baseExtinction, float* importance)
 {
-  const int seen = std::min(std::max(this->Seen, layers.begin), layers.end);
-  UnusablePoints again; // have been counted
-  this->Convert({ layers.begin, seen }, baseExtinction, importance, again);
-  const vtkIdType counted = this->PerLayer * (seen - layers.begin);
-  this->Convert({ seen, layers.end }, baseExtinction + counted, importance + counted, this->Found);
-  this->Seen = std::max(this->Seen, layers.end);
+  const Int3 size = box.Size();
+  const bool isWhole = size.x == this->Points.x && size.y == this->Points.y;
+  const Range<int>& layers = box.along[2];
+  const int seen = isWhole ? std::min(std::max(this->Seen, layers.begin), layers.end) : layers.end;
+  NodeBox before = box;
+  before.along[2].end = seen;
+  NodeBox behind = box;
+  behind.along[2].begin = seen;
+  UnusablePoints again; // have been counted, or will be
+  this->Convert(before, baseExtinction, importance, again);
+  this->Convert(behind, baseExtinction + before.Count(), importance + before.Count(), this->Found);
+  this->Seen = isWhole ? std::max(this->Seen, layers.end) : this->Seen;
 }
 
 void LayeredFields::Convert(
-  const Range<int>& layers, float* baseExtinction, float* importance, UnusablePoints& found) const
+  const NodeBox& box, float* baseExtinction, float* importance, UnusablePoints& found)
 {
-  const Range<vtkIdType> points{ this->PerLayer * layers.begin, this->PerLayer * layers.end };
-  if (points.Empty())
+  if (box.Empty())
   {
     return;
   }
-  const auto convert = [&points](const FieldSource& source, float* field)
-  { MapTuples(source.array, points.begin, points.end, source.component, source.mapping, field); };
-  convert(this->Extinction, baseExtinction);
-  convert(this->Importance, importance);
-  CorrectPoints(points.Length(), baseExtinction, importance, found);
+  const Int3 first = box.First();
+  const Int3 size = box.Size();
+  const vtkIdType perLayer = vtkIdType(this->Points.x) * this->Points.y;
+  const TupleBox tuples{ first.x + first.y * vtkIdType(this->Points.x) + first.z * perLayer, size.x,
+    size.y, size.z, this->Points.x, perLayer };
+  this->Extinction.Fill(tuples, baseExtinction);
+  this->Importance.Fill(tuples, importance);
+  CorrectPoints(box.Count(), baseExtinction, importance, found);
 }
 }

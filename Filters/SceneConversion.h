@@ -15,6 +15,7 @@
 #include "vtkUnsignedShortArray.h"
 
 #include "optimize/SceneFields.h"
+#include "scene/NodeBox.h"
 
 #include <array>
 #include <memory>
@@ -103,8 +104,8 @@ VTKLIMPIDFILTERS_EXPORT void TakeShares(const std::vector<float>& shares, vtkFlo
 VTKLIMPIDFILTERS_EXPORT SceneArrays ConvertScene(
   vtkImageData* image, const FieldSource& extinction, const FieldSource& importance);
 
-/// Both fields of a scene, which are converted a few layers of points at a time. The values are
-/// those of ConvertScene.
+/// Both fields of a scene, which are converted a box of points at a time. The values are those of
+/// ConvertScene.
 class LayeredFields
 {
 public:
@@ -116,21 +117,19 @@ public:
   /// The arrays must outlive it.
   LayeredFields(vtkImageData* image, const FieldSource& extinction, const FieldSource& importance);
 
-  /// Writes the fields of a range of layers along the third axis: base extinction [1/length] and
+  /// Writes the fields of a box of points, first axis fastest: base extinction [1/length] and
   /// importance [0, 1].
-  void Fill(const Range<int>& layers, float* baseExtinction, float* importance);
+  void Fill(const NodeBox& box, float* baseExtinction, float* importance);
 
-  /// Returns a warning about the values of all layers so far; may be empty.
-  std::string Warning() const { return this->Found.Warning(this->All); }
+  /// Returns a warning about the values of all whole layers so far; may be empty.
+  std::string Warning() const { return this->Found.Warning(NodeBox::Of(this->Points).Count()); }
 
 private:
-  void Convert(const Range<int>& layers, float* baseExtinction, float* importance,
-    UnusablePoints& found) const;
+  void Convert(const NodeBox& box, float* baseExtinction, float* importance, UnusablePoints& found);
 
-  vtkIdType All; ///< number of points
-  vtkIdType PerLayer = 0;
-  FieldSource Extinction;
-  FieldSource Importance;
+  Int3 Points;
+  TupleMapping Extinction;
+  TupleMapping Importance;
   int Seen = 0; ///< layers in front of it have been counted
   UnusablePoints Found;
 };

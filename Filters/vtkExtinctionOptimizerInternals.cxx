@@ -25,6 +25,7 @@
 #include "viewpoint/MeetTargets.h"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 #include <sstream>
 #include <string>
@@ -77,18 +78,17 @@ limpid::ControlledScene vtkExtinctionOptimizer::Internals::Control(const limpid:
   {
     return { fields, this->ChooseControl(fields), smoothing };
   }
-  const auto fill = [layered = scene.layered](
-                      const limpid::Range<int>& layers, float* baseExtinction, float* importance)
-  { layered->Fill(layers, baseExtinction, importance); };
+  const auto fill = [layered = scene.layered](const limpid::NodeBox& box, float* baseExtinction,
+                      float* importance) { layered->Fill(box, baseExtinction, importance); };
   limpid::ControlledScene controlled(fields, fill, this->ChooseControl(fields), smoothing);
   this->Reader.WarnOfValues(scene);
   return controlled;
 }
 
 // Adds the arrays of the result. `solver`: on the control grid; becomes that of the data if results
-// are measured there.
+// are measured there, and null if the change was improved there.
 limpid::OptimizationSummary vtkExtinctionOptimizer::Internals::AddResults(
-  const limpid::ImageScene& scene, const limpid::ControlledScene& controlled,
+  const limpid::ImageScene& scene, limpid::ControlledScene& controlled,
   std::unique_ptr<limpid::Solver>& solver, vtkImageData* output) const
 {
   const limpid::ResultArrays wanted = this->WantedArrays();
@@ -106,17 +106,26 @@ limpid::OptimizationSummary vtkExtinctionOptimizer::Internals::AddResults(
     solver = std::move(onData);
     return summary;
   }
+  limpid::OptimizationSummary summary = limpid::SummaryOf(*solver);
+  summary.controlFactor = controlled.Control().factor;
+  const std::optional<limpid::ScoresOnData> onData =
+    limpid::AddFields(controlled, solver, scene.arrays, scene.unitDistance,
+      this->HasTwoExtinctions(), wanted, this->MakeProgress(), output);
+  if (onData)
+  {
+    summary.score = onData->result;
+    summary.baseScore = onData->base;
+    summary.ceiling = onData->ceiling;
+  }
   const std::string left =
     (controlled.IsInLayers() ? wanted.NotInLayers() : wanted.OfSweeps()).Text();
   vtkWarningWithObjectMacro(
     this->Self, << "Optimised at " << controlled.Control().Text()
-                << " (more does not fit into the memory limit). Scores are those of this resolution"
-                << (left.empty() ? "." : ", and these arrays are left out: " + left + ".")
+                << " (more does not fit into the memory limit)"
+                << (onData ? ", and swept once at the resolution of the data."
+                           : ". Scores are those of this resolution.")
+                << (left.empty() ? "" : " These arrays are left out: " + left + ".")
                 << " Raise MemoryLimit if there is more memory.");
-  limpid::AddFields(controlled, *solver, scene.arrays, scene.unitDistance,
-    this->HasTwoExtinctions(), wanted, output);
-  limpid::OptimizationSummary summary = limpid::SummaryOf(*solver);
-  summary.controlFactor = controlled.Control().factor;
   return summary;
 }
 
@@ -126,7 +135,7 @@ const limpid::ControlGrid& vtkExtinctionOptimizer::Internals::ChooseControl(
   const limpid::SceneFields& scene)
 {
   const limpid::Settings settings = limpid::SettingsOf(this->Self->Settings);
-  const limpid::NeedPerNode need = this->Need();
+  const limpid::NeedPerNode need = this->Need(scene.grid);
   std::ostringstream what;
   what << scene.grid.nodes.x << ' ' << scene.grid.nodes.y << ' ' << scene.grid.nodes.z << ' '
        << need.ofData << ' ' << need.ofControl << ' ' << need.measuring << ' '
@@ -261,11 +270,12 @@ double vtkExtinctionOptimizer::Internals::BytesPerPoint() const
 }
 
 // Returns this memory in parts. Of the data, there are the extinctions that are written; both
-// fields and what is derived from them, unless they are converted in layers; and if results are
-// measured, what sweeps need. Measured like the above at half and a third of the resolution: 22
-// bytes per point of the data and 5 of an eighth of them, 40 and 7 with all arrays, 32 and 7 in
-// separate mode, 5 and 5 in layers.
-limpid::NeedPerNode vtkExtinctionOptimizer::Internals::Need() const
+// fields and what is derived from them, unless they are converted in layers: then some slices of
+// them, and rays; and if results are measured, what sweeps need. Measured like the above at half
+// and a third of the resolution: 22 bytes per point of the data and 5 of an eighth of them, 40 and
+// 7 with all arrays, 32 and 7 in separate mode. In layers, 192^3, 256^3 and 512^3 points
+// take 13.8, 10.7 and 7.2 bytes per point at a third of the resolution.
+limpid::NeedPerNode vtkExtinctionOptimizer::Internals::Need(const limpid::Grid& data) const
 {
   const bool two = this->HasTwoExtinctions();
   const double extinctions = two ? 8 : 4;
@@ -273,7 +283,10 @@ limpid::NeedPerNode vtkExtinctionOptimizer::Internals::Need() const
   const int swept = this->ArraysOfSweeps();
   const double ofSweeps = swept > 0 ? 4 * swept + 2 : 0;
   limpid::NeedPerNode need;
-  need.ofData = written + (this->SuitsLayers ? 2.5 : 13 + extinctions);
+  constexpr double inSlices = 1600; // bytes per point of a slice
+  const double slices = std::cbrt(double(std::max<limpid::Index>(data.NodeCount(), 1)));
+  const double whole = 13 + extinctions;
+  need.ofData = written + (this->SuitsLayers ? std::min(inSlices / slices, whole) : whole);
   need.measuring = written + extinctions + ofSweeps + (two ? 17 : 15) - need.ofData;
   need.ofControl = this->BytesPerPoint() - need.ofData;
   return need;

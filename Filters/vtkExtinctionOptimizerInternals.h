@@ -38,7 +38,7 @@ struct vtkExtinctionOptimizer::Internals
   bool HasTwoExtinctions() const;
   double BytesPerPoint() const;
   int ArraysOfSweeps() const;
-  limpid::NeedPerNode Need() const;
+  limpid::NeedPerNode Need(const limpid::Grid& data) const;
   bool IsInLayers(const limpid::ImageScene& scene);
   bool RanksShare(vtkInformation* outInfo) const;
   limpid::ImageScene Read(vtkInformationVector** inputVector);
@@ -54,7 +54,7 @@ struct vtkExtinctionOptimizer::Internals
   std::optional<limpid::TargetsFound> MeetTargets(const limpid::ImageScene& scene,
     limpid::ControlledScene& controlled, std::unique_ptr<limpid::Solver>& solver) const;
   limpid::OptimizationSummary AddResults(const limpid::ImageScene& scene,
-    const limpid::ControlledScene& controlled, std::unique_ptr<limpid::Solver>& solver,
+    limpid::ControlledScene& controlled, std::unique_ptr<limpid::Solver>& solver,
     vtkImageData* output) const;
   void WriteStructures(const limpid::ImageScene& scene, const limpid::TargetsFound& found,
     vtkImageData* output, vtkTable* table) const;

@@ -65,7 +65,7 @@ bool ControlFields::AreOf(std::uint64_t version, ImportanceSmoothing smoothing) 
 }
 
 void ControlFields::Make(std::uint64_t version, const SceneFields& data,
-  ImportanceSmoothing smoothing, const StructureRow* rows, const FieldsOfLayers& ofLayers)
+  ImportanceSmoothing smoothing, const StructureRow* rows, const FieldsOfBox& ofBox)
 {
   const bool same = this->AreOf(version, smoothing);
   this->Release();
@@ -73,7 +73,7 @@ void ControlFields::Make(std::uint64_t version, const SceneFields& data,
   const std::shared_ptr<const ScenePiece> piece = ScenePiece::Whole(grid);
   auto own = std::make_shared<OwnFields>();
   own->fields = MakeCoarseFields(data.grid, grid,
-    data.despeckled ? ImportanceSmoothing::Off : smoothing, ofLayers, NodesAtATime(data.grid));
+    data.despeckled ? ImportanceSmoothing::Off : smoothing, ofBox, NodesAtATime(data.grid));
   this->Scene = own->fields.Scene();
   this->Scene.majorant = data.majorant;
   for (std::size_t i = 0; i < givenReferences; ++i)

@@ -32,9 +32,9 @@ public:
   bool Are(std::uint64_t version, ImportanceSmoothing smoothing) const;
 
   /// Makes the fields from those of the data. `rows`: of structures at the points of the data;
-  /// null: there are none; `ofLayers`: base extinction and importance, instead of those in `data`.
+  /// null: there are none; `ofBox`: base extinction and importance, instead of those in `data`.
   void Make(std::uint64_t version, const SceneFields& data, ImportanceSmoothing smoothing,
-    const StructureRow* rows, const FieldsOfLayers& ofLayers);
+    const StructureRow* rows, const FieldsOfBox& ofBox);
 
   // After Make:
   const SceneFields& Fields() const { return this->Scene; }

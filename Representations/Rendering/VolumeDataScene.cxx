@@ -34,7 +34,8 @@ void VolumeData::FillBaseExtinction(const Range<int>& layers, float* base) const
     {
       for (vtkIdType row = begin; row < end; ++row)
       {
-        const Vec3 start(0, double(row % nodes.y), double(layers.begin + row / nodes.y));
+        const Index layer = layers.begin + row / nodes.y;
+        const Vec3 start(0, double(row % nodes.y), double(layer));
         float* values = base + row * nodes.x;
         for (int i = 0; i < nodes.x; ++i)
         {
@@ -90,8 +91,9 @@ void VolumeData::MakeControlFields(ImportanceSmoothing smoothing)
   const Int3 nodes = this->Nodes().nodes;
   this->Control.Make(this->DataSceneVersion(), this->DataScene(), smoothing,
     this->Labelled() ? this->StructureRows() : nullptr,
-    [&](const Range<int>& layers, float* base, float* importance)
+    [&](const NodeBox& box, float* base, float* importance)
     {
+      const Range<int>& layers = box.along[2];
       const Index perLayer = Index(nodes.x) * nodes.y;
       this->FillBaseExtinction(layers, base);
       std::copy(

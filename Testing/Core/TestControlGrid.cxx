@@ -50,17 +50,24 @@ ControlGrid Chosen(
   return ChooseControlGrid(settings, grid, *ScenePiece::Whole(grid), need);
 }
 
-/// Makes the fields of a scene layer by layer.
-FieldsOfLayers LayersOf(const BoxScene& scene)
+/// Makes the fields of a scene box by box.
+FieldsOfBox BoxesOf(const BoxScene& scene)
 {
-  return [&scene](const Range<int>& layers, float* base, float* importance)
+  return [&scene](const NodeBox& box, float* base, float* importance)
   {
-    const Index perLayer = Index(scene.grid.nodes.x) * scene.grid.nodes.y;
-    const auto copy = [&](const std::vector<float>& field, float* to) {
-      std::copy(field.begin() + perLayer * layers.begin, field.begin() + perLayer * layers.end, to);
-    };
-    copy(scene.extinction, base);
-    copy(scene.importance, importance);
+    const Int3 nodes = scene.grid.nodes;
+    for (int z = box.along[2].begin; z < box.along[2].end; ++z)
+    {
+      for (int y = box.along[1].begin; y < box.along[1].end; ++y)
+      {
+        const auto row = std::ptrdiff_t((Index(z) * nodes.y + y) * nodes.x);
+        const Range<int>& x = box.along[0];
+        const auto copy = [&](const std::vector<float>& field, float* to)
+        { return std::copy(field.begin() + row + x.begin, field.begin() + row + x.end, to); };
+        base = copy(scene.extinction, base);
+        importance = copy(scene.importance, importance);
+      }
+    }
   };
 }
 
@@ -190,7 +197,7 @@ TEST(CoarseFields, AreThoseOfAllLayersAtOnce)
       const Grid grid = CoarseGrid(scene.grid, factor);
       const CoarseScene whole(prepared, smoothing, grid);
       const CoarseFields inLayers =
-        MakeCoarseFields(scene.grid, grid, smoothing, LayersOf(scene), 3 * perLayer);
+        MakeCoarseFields(scene.grid, grid, smoothing, BoxesOf(scene), 3 * perLayer);
       const SceneFields expected = whole.Prepared()->Arrays();
       const auto all = [&](const float* field)
       { return std::vector<float>(field, field + grid.NodeCount()); };
@@ -249,7 +256,7 @@ TEST(ControlledScene, InLayersHasTheSameBits)
     SceneFields data;
     data.grid = scene.grid;
     data.majorant = scene.Fields().majorant;
-    const ControlledScene inLayers(data, LayersOf(scene), Coarser(2), smoothing);
+    const ControlledScene inLayers(data, BoxesOf(scene), Coarser(2), smoothing);
     EXPECT_TRUE(inLayers.IsCoarser() && inLayers.IsInLayers() && !inLayers.MeasuresData());
     EXPECT_FALSE(whole.IsInLayers());
     EXPECT_EQ(inLayers.Fields().majorant, whole.Fields().majorant);
@@ -278,7 +285,7 @@ TEST(ControlledScene, InLayersRefusesAnExtinctionThatTheEnergyDoesNotAllow)
   scene.extinction[7] = 3.2e38f;
   SceneFields data;
   data.grid = scene.grid;
-  EXPECT_THROW(ControlledScene(data, LayersOf(scene), Coarser(2), ImportanceSmoothing::Off), Error);
+  EXPECT_THROW(ControlledScene(data, BoxesOf(scene), Coarser(2), ImportanceSmoothing::Off), Error);
 }
 
 TEST(ControlledScene, KeepsTheBoundsOfTheData)

@@ -40,21 +40,23 @@ Index NodesAtATime(const Grid& data)
   return std::clamp(data.NodeCount() / 32, fewest, most);
 }
 
-SceneLayers::SceneLayers(const Grid& data, bool despeckles, const FieldsOfLayers& ofLayers)
+SceneLayers::SceneLayers(const Grid& data, bool despeckles, const FieldsOfBox& ofBox)
   : Data(data)
   , Despeckles(despeckles)
-  , OfLayers(&ofLayers)
+  , OfBox(&ofBox)
 {
 }
 
 void SceneLayers::MoveTo(const Range<int>& layers)
 {
-  const Range<int> read = Grown(layers, this->Despeckles ? 1 : 0, this->Data.nodes.z);
-  const Index nodes = this->PerLayer() * read.Length();
+  NodeBox box = NodeBox::Of(this->Data.nodes);
+  Range<int>& read = box.along[2];
+  read = Grown(layers, this->Despeckles ? 1 : 0, this->Data.nodes.z);
+  const Index nodes = box.Count();
   this->Offset = this->PerLayer() * (layers.begin - read.begin);
   this->Base.resize(std::size_t(nodes));
   this->Given.resize(std::size_t(nodes));
-  (*this->OfLayers)(read, this->Base.data(), this->Given.data());
+  (*this->OfBox)(box, this->Base.data(), this->Given.data());
   if (this->Despeckles)
   {
     Grid here = this->Data;
@@ -65,11 +67,11 @@ void SceneLayers::MoveTo(const Range<int>& layers)
 }
 
 CoarseFields MakeCoarseFields(const Grid& data, const Grid& coarse, ImportanceSmoothing smoothing,
-  const FieldsOfLayers& ofLayers, Index nodesAtATime)
+  const FieldsOfBox& ofBox, Index nodesAtATime)
 {
   const bool despeckles = smoothing == ImportanceSmoothing::Median;
   const GridFilter filter(data.nodes, coarse.nodes);
-  SceneLayers fine(data, despeckles, ofLayers);
+  SceneLayers fine(data, despeckles, ofBox);
   const int factor = std::max(data.nodes.z / coarse.nodes.z, 1);
   const int atATime =
     static_cast<int>(std::max<Index>(nodesAtATime / (fine.PerLayer() * factor), 1));

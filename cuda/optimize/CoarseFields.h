@@ -6,6 +6,7 @@
 
 #include "math/Range.h"
 #include "optimize/SceneFields.h"
+#include "scene/NodeBox.h"
 #include "scene/NodeValues.h"
 
 #include <functional>
@@ -17,17 +18,17 @@ namespace limpid
 /// few of all, and as many as keep the processors busy.
 Index NodesAtATime(const Grid& data);
 
-/// Writes base extinction and importance of a range of layers of nodes along the third axis, first
-/// axis fastest: finite values, see SceneFields.
-using FieldsOfLayers =
-  std::function<void(const Range<int>& layers, float* baseExtinction, float* importance)>;
+/// Writes base extinction and importance of a box of nodes, first axis fastest: finite values, see
+/// SceneFields.
+using FieldsOfBox =
+  std::function<void(const NodeBox& box, float* baseExtinction, float* importance)>;
 
 /// The fields of some layers of a scene.
 class SceneLayers
 {
 public:
   /// `despeckles`: whether the despeckled importance is wanted, too.
-  SceneLayers(const Grid& data, bool despeckles, const FieldsOfLayers& ofLayers);
+  SceneLayers(const Grid& data, bool despeckles, const FieldsOfBox& ofBox);
 
   /// Makes the fields of a range of layers.
   void MoveTo(const Range<int>& layers);
@@ -42,7 +43,7 @@ public:
 private:
   Grid Data;
   bool Despeckles;
-  const FieldsOfLayers* OfLayers;
+  const FieldsOfBox* OfBox;
   std::vector<float> Base;  ///< of these layers and those that despeckling reads
   std::vector<float> Given; ///< the importance, likewise
   NodeValues Smooth;        ///< the despeckled importance, likewise
@@ -64,9 +65,9 @@ struct CoarseFields
 
 /// Resamples a scene to a coarser grid, a few layers at a time, so that only these are in memory.
 /// The values are those of a CoarseScene. A process alone only. `nodesAtATime`: about as many nodes
-/// of the data are in memory.
+/// of the data are in memory. `ofBox` is asked for whole layers along the third axis, in order.
 CoarseFields MakeCoarseFields(const Grid& data, const Grid& coarse, ImportanceSmoothing smoothing,
-  const FieldsOfLayers& ofLayers, Index nodesAtATime);
+  const FieldsOfBox& ofBox, Index nodesAtATime);
 }
 
 #endif

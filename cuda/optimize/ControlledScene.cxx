@@ -9,6 +9,7 @@
 #include "optimize/ExtinctionBounds.h"
 #include "optimize/SceneStructures.h"
 #include "optimize/Solver.h"
+#include "scene/FieldView.h"
 #include "scene/Resampling.h"
 
 #include <algorithm>
@@ -31,13 +32,13 @@ ControlledScene::ControlledScene(
   this->Prepared->FreeNodeImportance();
 }
 
-ControlledScene::ControlledScene(const SceneFields& data, const FieldsOfLayers& ofLayers,
+ControlledScene::ControlledScene(const SceneFields& data, const FieldsOfBox& ofBox,
   const ControlGrid& control, ImportanceSmoothing smoothing)
   : Chosen(control)
   , OfData(data)
-  , OfLayers(ofLayers)
+  , OfBox(ofBox)
   , Layered(MakeCoarseFields(data.grid, CoarseGrid(data.grid, control.factor), smoothing,
-      this->OfLayers, NodesAtATime(data.grid)))
+      this->OfBox, NodesAtATime(data.grid)))
 {
   const float largest = this->Layered->largestExtinction;
   LIMPID_REQUIRE(largest <= mostExtinction,
@@ -125,6 +126,48 @@ void ControlledScene::FillExtinction(const Solver& found, float* extinction, flo
   }
 }
 
+bool ControlledScene::CanSweepData(const Settings& settings) const
+{
+  const bool isAlone = !this->OfData.piece || this->OfData.piece->ranks->IsAlone();
+  return isAlone && limpid::CanSweepData(settings);
+}
+
+/// Returns what makes the fields of a box of the data.
+FieldsOfBox ControlledScene::Boxes() const
+{
+  if (this->Layered)
+  {
+    return this->OfBox;
+  }
+  return [data = this->OfData](const NodeBox& box, float* baseExtinction, float* importance)
+  {
+    const auto copy = [&](const float* from, float* to)
+    {
+      CopyNodes(
+        box, FieldView::Whole(const_cast<float*>(from), data.grid.nodes), FieldView::Part(to, box));
+    };
+    copy(data.baseExtinction, baseExtinction);
+    copy(data.importance, importance);
+  };
+}
+
+ScoresOnData ControlledScene::SweepData(
+  std::unique_ptr<Solver>&& found, const Progress& progress, float* extinction)
+{
+  CarriedChange change = found->Change();
+  const auto majorant = static_cast<float>(found->Majorant());
+  found.reset();
+  this->Layered = this->Layered ? std::optional<CoarseFields>(CoarseFields()) : std::nullopt;
+  this->Coarse = nullptr;
+  this->Prepared = nullptr;
+  if (this->OfData.despeckled == this->OfData.importance && this->OfData.despeckled)
+  {
+    change.settings.importanceSmoothing = ImportanceSmoothing::Off; // labels have no noise
+  }
+  return limpid::SweepData(
+    this->OfData.grid, this->Boxes(), change, majorant, progress, extinction);
+}
+
 /// Writes one of the extinctions, a few layers at a time. `ofBase`: see CarriedChange.
 void ControlledScene::FillLayers(
   const Solver& found, const std::vector<float>& ofBase, float* extinction) const
@@ -133,7 +176,7 @@ void ControlledScene::FillLayers(
   const Grid& grid = this->OfData.grid;
   const bool despeckles =
     settings.protectImportance > 0 && settings.importanceSmoothing == ImportanceSmoothing::Median;
-  SceneLayers fields(grid, despeckles, this->OfLayers);
+  SceneLayers fields(grid, despeckles, this->OfBox);
   const GridFilter filter(this->Layered->grid.nodes, grid.nodes);
   const auto majorant = static_cast<float>(found.Majorant());
   const ChangedNode changed{ majorant };

@@ -7,6 +7,7 @@
 #include "optimize/CarriedChange.h"
 #include "optimize/CoarseFields.h"
 #include "optimize/ControlGrid.h"
+#include "optimize/FineSweep.h"
 #include "optimize/SceneFields.h"
 #include "scene/Structures.h"
 
@@ -18,7 +19,6 @@ namespace limpid
 {
 class CoarseScene;
 class PreparedScene;
-class Solver;
 
 /// A scene whose change is found on a control grid and applied to the data. All of it is
 /// collective.
@@ -32,8 +32,8 @@ public:
   /// A scene whose fields are made a few layers at a time, since they do not fit into memory as a
   /// whole. Of `data`, only the grid and the majorant are read. A process alone only; the control
   /// grid is coarser. Throws limpid::Error if the fields are invalid.
-  ControlledScene(const SceneFields& data, const FieldsOfLayers& ofLayers,
-    const ControlGrid& control, ImportanceSmoothing smoothing);
+  ControlledScene(const SceneFields& data, const FieldsOfBox& ofBox, const ControlGrid& control,
+    ImportanceSmoothing smoothing);
   ControlledScene(ControlledScene&&) noexcept;
   ~ControlledScene();
 
@@ -72,17 +72,27 @@ public:
   /// the light; null if there is none. Requires IsCoarser().
   void FillExtinction(const Solver& found, float* extinction, float* light) const;
 
+  /// Whether SweepData can improve a result with these settings, see limpid::CanSweepData.
+  bool CanSweepData(const Settings& settings) const;
+
+  /// Writes the extinctions of the data that a sweep at their own resolution makes of this change,
+  /// and measures them there, see limpid::SweepData. It frees Fields() and takes the solver that
+  /// has found the change. Requires IsCoarser() and CanSweepData.
+  ScoresOnData SweepData(
+    std::unique_ptr<Solver>&& found, const Progress& progress, float* extinction);
+
   /// Returns them in arrays of their own. Not for fields that are made in layers.
   CarriedExtinction ExtinctionOnData(const Solver& found) const;
 
 private:
+  FieldsOfBox Boxes() const;
   void FillLayers(const Solver& found, const std::vector<float>& ofBase, float* extinction) const;
 
   ControlGrid Chosen;
   SceneFields OfData;
   std::shared_ptr<PreparedScene> Prepared; ///< of the data; null: there is no other grid
   std::unique_ptr<CoarseScene> Coarse;     ///< on the control grid; null: there is none like that
-  FieldsOfLayers OfLayers;                 ///< empty: the data are here
+  FieldsOfBox OfBox;                       ///< empty: the data are here
   std::optional<CoarseFields> Layered;     ///< on the control grid, made of layers
 };
 }

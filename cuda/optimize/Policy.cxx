@@ -125,9 +125,8 @@ public:
 
   bool Converged() const override
   {
-    return this->Given->IsThick()
-      ? this->Refinement.IsDone() && this->Given->settings.tolerance > 0
-      : this->ChangesLess(1);
+    return this->Given->IsThick() ? this->Refinement.IsDone() && this->Given->settings.tolerance > 0
+                                  : this->ChangesLess(1);
   }
 
   bool IsNear() const override

@@ -106,7 +106,7 @@ void SweepPolicy(AnyDevice& device, EnergyTerm<AnyDevice>& term, const Terms<Any
     terms.Distribution().ShareFrustum(
       sweep.next, term.Number(), std::size_t(&rays - term.Frusta().data()));
   }
-  for (std::size_t index = 0; index < frusta; ++index)
+  for (std::size_t index = 0; sweep.tellsAfter && index < frusta; ++index)
   {
     // Policy sweeps do not resolve thick layers.
     if (sweep.alternative || problem.MayHaveThickLayers(term.Rays()) ||

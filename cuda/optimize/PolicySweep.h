@@ -44,11 +44,12 @@ struct PolicySweep
   const float* alternative = nullptr; ///< see WeighStep [1/length]; null if nothing is weighed
   Reach reach = Reach::Unlimited;     ///< initial reach of the rays, if weighing
   bool emphasises = true; ///< whether extinction may rise above the base, within its bounds
+  bool tellsAfter = true; ///< whether score and optical depths of the next iterate are needed
 };
 
 /// Sweeps all frusta of a term. Afterwards the rays hold the visible importance and the optical
-/// depths of the next iterate. `moved`: on the processor, the distances of the next iterate are
-/// added to it.
+/// depths of the next iterate, if they are needed. `moved`: on the processor, the distances of the
+/// next iterate are added to it.
 template <class AnyDevice>
 void SweepPolicy(AnyDevice& device, EnergyTerm<AnyDevice>& term, const Terms<AnyDevice>& terms,
   const Problem& problem, const PolicySweep& sweep, ExactDifferences& moved);

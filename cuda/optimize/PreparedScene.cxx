@@ -31,19 +31,6 @@ void RequireFields(const SceneFields& scene)
                           "extinction of the transfer function, or 0 for that of the scene.");
 }
 
-/// Returns the rays per voxel and axis for scores, with a minimum number of rays across the
-/// volume, so that enough rays meet the visible structures. In thick media a ray shows only the
-/// first surface that it meets.
-double RayDensityOfScores(const Problem& problem)
-{
-  const bool thick = problem.IsThick();
-  const double most = !problem.IsSmall() ? 2 : thick ? 6 : 4;
-  const double fewestAcross = thick ? 256 : problem.IsSmall() ? 110 : 0;
-  const double wanted =
-    fewestAcross / std::cbrt(double(std::max<Index>(problem.grid.NodeCount(), 1)));
-  return std::max(problem.settings.rayDensity, std::min(wanted, most));
-}
-
 /// Returns the index in the grid of a node, from its index in the arrays.
 Index NumberOf(const SceneFields& scene, Index value)
 {
@@ -155,6 +142,16 @@ void RequireDistances(const std::vector<TermSource>& sources, const Grid& grid)
                 "use a parallel projection.");
   }
 }
+}
+
+double RayDensityOfScores(const Problem& problem)
+{
+  const bool thick = problem.IsThick();
+  const double most = !problem.IsSmall() ? 2 : thick ? 6 : 4;
+  const double fewestAcross = thick ? 256 : problem.IsSmall() ? 110 : 0;
+  const double wanted =
+    fewestAcross / std::cbrt(double(std::max<Index>(problem.grid.NodeCount(), 1)));
+  return std::max(problem.settings.rayDensity, std::min(wanted, most));
 }
 
 void RequireSettings(const Settings& settings)

@@ -14,6 +14,11 @@
 
 namespace limpid
 {
+/// Returns the rays per voxel and axis for scores, with a minimum number of rays across the
+/// volume, so that enough rays meet the visible structures. In thick media a ray shows only the
+/// first surface that it meets.
+double RayDensityOfScores(const Problem& problem);
+
 /// Throws limpid::Error if settings are invalid or not supported by this build.
 void RequireSettings(const Settings& settings);
 

@@ -4,6 +4,7 @@
 #include "sweep/FieldSlabs.h"
 
 #include "sweep/CopiedSlabs.h"
+#include "sweep/MadeFields.h"
 
 #include <algorithm>
 
@@ -49,14 +50,7 @@ public:
   {
     for (SliceWindow& window : windows)
     {
-      const Box box = this->BoxRead(slab, window.use.inFront, window.use.behind);
-      Move(window, box.nodes);
-      this->ForFilledRows(box, occupancy,
-        [&](int v, const Range<int>& columns)
-        {
-          window.memory->ClearRow(v, columns, box.nodes.Length());
-          this->TransposeRow(window, v, columns, box.nodes);
-        });
+      this->Transpose(this->InPlace(window), slab, occupancy, window);
     }
   }
 
@@ -66,7 +60,7 @@ public:
     const Box box = this->BoxOwned(slab);
     for (const SliceWindow& window : windows)
     {
-      if (window.use.writes)
+      if (window.use.writes && window.memory)
       {
         this->ForFilledRows(box, occupancy,
           [&](int v, const Range<int>& columns)
@@ -75,11 +69,32 @@ public:
     }
   }
 
-private:
-  void TransposeRow(
-    const SliceWindow& window, int v, const Range<int>& columns, const Range<int>& nodes) const
+protected:
+  /// Returns the view of the field of a window, if the depth is along x.
+  FieldView InPlace(const SliceWindow& window) const
   {
-    const float* source = window.field + this->Frustum.strideV * v + nodes.begin;
+    return { window.field, { { 1, this->Frustum.strideU, this->Frustum.strideV } } };
+  }
+
+  /// Copies what a sweep reads of a field to its window.
+  void Transpose(const FieldView& field, const Range<int>& slab, const Occupancy* occupancy,
+    SliceWindow& window) const
+  {
+    const Box box = this->BoxRead(slab, window.use.inFront, window.use.behind);
+    Move(window, box.nodes);
+    this->ForFilledRows(box, occupancy,
+      [&](int v, const Range<int>& columns)
+      {
+        window.memory->ClearRow(v, columns, box.nodes.Length());
+        TransposeRow(field, window, v, columns, box.nodes);
+      });
+  }
+
+private:
+  static void TransposeRow(const FieldView& field, const SliceWindow& window, int v,
+    const Range<int>& columns, const Range<int>& nodes)
+  {
+    const float* source = field.values + field.At(nodes.begin, 0, v);
     float* target = window.Row(nodes.begin, v);
     for (int tile = columns.begin; tile < columns.end; tile += columnsPerTile)
     {
@@ -88,7 +103,7 @@ private:
       {
         for (int u = tile; u < last; ++u)
         {
-          target[k * window.strideW + u] = source[this->Frustum.strideU * u + k];
+          target[k * window.strideW + u] = source[field.stride[1] * u + k];
         }
       }
     }
@@ -108,6 +123,76 @@ private:
     }
   }
 };
+
+/// Fields of which some are made for each slab.
+class MadeSlabs : public TransposedSlabs
+{
+public:
+  MadeSlabs(const FaceFrustum& frustum, const BandDecomposition& bands, MadeFields& made)
+    : TransposedSlabs(frustum, bands)
+    , Fields(&made)
+  {
+  }
+
+  SliceWindow Open(float* field, const FieldUse& use) override
+  {
+    const FaceFrustum& plan = this->Frustum;
+    if (plan.axisW == 0)
+    {
+      return CopiedSlabs::Open(field, use);
+    }
+    return { field, use, plan.nodesU, plan.nodesV, plan.strideV, plan.strideW, field };
+  }
+
+  void Load(const Range<int>& slab, const Occupancy* occupancy, Windows& windows) const override
+  {
+    this->Make(slab, windows);
+    for (SliceWindow& window : windows)
+    {
+      const bool isMade = this->Fields->Has(window.field);
+      if (this->Frustum.axisW == 0)
+      {
+        this->Transpose(isMade ? this->Fields->Values(window.field) : this->InPlace(window), slab,
+          occupancy, window);
+      }
+      else if (isMade)
+      {
+        const FieldView view = this->Fields->Values(window.field);
+        window.values = view.values;
+        window.strideV = view.stride[std::size_t(this->Frustum.axisV)];
+        window.strideW = view.stride[std::size_t(this->Frustum.axisW)];
+      }
+    }
+  }
+
+private:
+  /// Makes the fields of all windows, in whole rows where these are not transposed: they are read
+  /// register by register.
+  void Make(const Range<int>& slab, const Windows& windows) const
+  {
+    std::vector<const float*> fields;
+    int inFront = 0;
+    int behind = 0;
+    for (const SliceWindow& window : windows)
+    {
+      if (this->Fields->Has(window.field))
+      {
+        fields.push_back(window.field);
+        inFront = std::max(inFront, window.use.inFront);
+        behind = std::max(behind, window.use.behind);
+      }
+    }
+    const Box read = this->BoxRead(slab, inFront, behind);
+    NodeBox box;
+    box.along[std::size_t(this->Frustum.axisU)] =
+      this->Frustum.axisU == 0 ? Range<int>{ 0, this->Frustum.nodesU } : read.columns;
+    box.along[std::size_t(this->Frustum.axisV)] = read.rows;
+    box.along[std::size_t(this->Frustum.axisW)] = read.nodes;
+    this->Fields->MoveTo(box, fields);
+  }
+
+  MadeFields* Fields;
+};
 }
 
 std::unique_ptr<FieldSlabs> FieldSlabs::Local(
@@ -118,5 +203,11 @@ std::unique_ptr<FieldSlabs> FieldSlabs::Local(
     return std::make_unique<TransposedSlabs>(frustum, bands);
   }
   return std::make_unique<SlabsInPlace>(frustum);
+}
+
+std::unique_ptr<FieldSlabs> FieldSlabs::Made(
+  const FaceFrustum& frustum, const BandDecomposition& bands, MadeFields& made)
+{
+  return std::make_unique<MadeSlabs>(frustum, bands, made);
 }
 }

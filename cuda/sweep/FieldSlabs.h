@@ -18,6 +18,7 @@
 namespace limpid
 {
 class BandDecomposition;
+class MadeFields;
 
 constexpr int mostSlicesBehind = 2;  ///< maximum number of slices behind that sweeps read
 constexpr int mostSlicesInFront = 1; ///< maximum number of slices in front that sweeps read
@@ -64,6 +65,11 @@ public:
    */
   static std::unique_ptr<FieldSlabs> Redistributed(const FaceFrustum& frustum,
     const BandDecomposition& bands, const FieldLayout& home, const Occupancy* filled, int margin);
+
+  /// Like Local, but some fields are made for each slab. `made` must outlive the result. A process
+  /// alone only.
+  static std::unique_ptr<FieldSlabs> Made(
+    const FaceFrustum& frustum, const BandDecomposition& bands, MadeFields& made);
 
   virtual ~FieldSlabs() = default;
 

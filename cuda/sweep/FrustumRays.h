@@ -194,6 +194,12 @@ public:
     this->Slabs = FieldSlabs::Redistributed(this->Planned, *this->Shared, home, filled, margin);
   }
 
+  /// Sweeps read fields that are made slab by slab. `fields` must outlive this object.
+  void SweepMadeFields(MadeFields& fields)
+  {
+    this->Slabs = FieldSlabs::Made(this->Planned, *this->Shared, fields);
+  }
+
   /// Splits a range of slices where the decomposition of the rays changes.
   std::vector<Range<int>> StretchesOf(const Range<int>& slices) const
   {
