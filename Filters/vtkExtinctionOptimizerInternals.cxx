@@ -116,6 +116,7 @@ limpid::OptimizationSummary vtkExtinctionOptimizer::Internals::AddResults(
     summary.score = onData->result;
     summary.baseScore = onData->base;
     summary.ceiling = onData->ceiling;
+    summary.seconds += onData->seconds;
   }
   const std::string left =
     (controlled.IsInLayers() ? wanted.NotInLayers() : wanted.OfSweeps()).Text();

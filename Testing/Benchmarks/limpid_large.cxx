@@ -7,6 +7,7 @@
 //   limpid_large NODES...
 
 #include "PeakMemory.h"
+#include "Program.h"
 
 #include "PhantomScenes.h"
 #include "Today.h"
@@ -96,7 +97,7 @@ divide it ([Ranks.md](Ranks.md)). Images of VTK, whose arrays are dense, are not
 
 S and the visible share of the important structures must converge, because edges of the phantom are as wide as the
 distance of its nodes. The policy has default settings and runs from the base to its end. Times are medians of iterations
-and sums, on a machine that was not idle, and therefore preliminary.
+and sums.
 )"
   "\n| nodes | filled | S, base | S, optimised | visible | iterations | iteration [s] | "
   "all [s] | scene [GB] | peak [GB] | dense [GB] |\n"
@@ -142,7 +143,8 @@ void Report(int nodes)
 
 int main(int argumentCount, char** arguments)
 {
-  std::printf("# Large volumes\n\n* date: %s\n\n%s\n", Today().c_str(), page);
+  std::printf("# Large volumes\n\n* date: %s\n* load average before the start: %.2f\n\n%s\n",
+    Today().c_str(), benchmark::LoadAverage(), page);
   try
   {
     for (int i = 1; i < argumentCount; ++i)

@@ -101,7 +101,7 @@ Swept SweepOf(const BoxScene& scene, int factor = 2)
   return swept;
 }
 
-/// The same sweep with all fields in memory.
+/// Returns the result of this sweep with all fields in memory.
 std::vector<float> SweptInMemory(const BoxScene& scene, const Swept& of)
 {
   const FieldsOfBox boxes = BoxesOf(scene);

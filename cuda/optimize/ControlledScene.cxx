@@ -128,8 +128,8 @@ void ControlledScene::FillExtinction(const Solver& found, float* extinction, flo
 
 bool ControlledScene::CanSweepData(const Settings& settings) const
 {
-  const bool isAlone = !this->OfData.piece || this->OfData.piece->ranks->IsAlone();
-  return isAlone && limpid::CanSweepData(settings);
+  const bool isWhole = !this->OfData.piece || this->OfData.piece->IsWhole();
+  return isWhole && limpid::CanSweepData(settings);
 }
 
 /// Returns what makes the fields of a box of the data.

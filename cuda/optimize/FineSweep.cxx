@@ -10,6 +10,7 @@
 #include "optimize/PreparedScene.h"
 
 #include <algorithm>
+#include <chrono>
 #include <vector>
 
 namespace limpid
@@ -185,6 +186,7 @@ bool CanSweepData(const Settings& settings)
 ScoresOnData SweepData(const Grid& data, const FieldsOfBox& ofBox, const CarriedChange& change,
   float majorant, const Progress& progress, float* extinction)
 {
+  const auto start = std::chrono::steady_clock::now();
   FineFields fields(data, ofBox, change, majorant);
   fields.Survey();
   progress(0.1, atTheData);
@@ -197,6 +199,7 @@ ScoresOnData SweepData(const Grid& data, const FieldsOfBox& ofBox, const Carried
     fields.Fill(fields.Base(), extinction);
     scores.result = scores.base;
   }
+  scores.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return scores;
 }
 }

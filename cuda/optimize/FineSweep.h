@@ -15,7 +15,8 @@ struct ScoresOnData
 {
   Score base;
   Score result;
-  Ceiling ceiling; ///< see CeilingOfScores
+  Ceiling ceiling;    ///< see CeilingOfScores
+  double seconds = 0; ///< for sweep and scores
 };
 
 /// Whether SweepData can improve a result with these settings: policy sweeps are wanted, a single
