@@ -151,19 +151,26 @@ FieldsOfBox ControlledScene::Boxes() const
   };
 }
 
+/// Returns the change for SweepData.
+CarriedChange ControlledScene::ChangeOf(const Solver& found) const
+{
+  CarriedChange change = found.Change();
+  if (this->OfData.despeckled == this->OfData.importance && this->OfData.despeckled)
+  {
+    change.settings.importanceSmoothing = ImportanceSmoothing::Off; // labels have no noise
+  }
+  return change;
+}
+
 ScoresOnData ControlledScene::SweepData(
   std::unique_ptr<Solver>&& found, const Progress& progress, float* extinction)
 {
-  CarriedChange change = found->Change();
+  const CarriedChange change = this->ChangeOf(*found);
   const auto majorant = static_cast<float>(found->Majorant());
   found.reset();
   this->Layered = this->Layered ? std::optional<CoarseFields>(CoarseFields()) : std::nullopt;
   this->Coarse = nullptr;
   this->Prepared = nullptr;
-  if (this->OfData.despeckled == this->OfData.importance && this->OfData.despeckled)
-  {
-    change.settings.importanceSmoothing = ImportanceSmoothing::Off; // labels have no noise
-  }
   return limpid::SweepData(
     this->OfData.grid, this->Boxes(), change, majorant, progress, extinction);
 }
@@ -206,8 +213,15 @@ void ControlledScene::FillLayers(
 
 std::unique_ptr<Solver> ControlledScene::OnData(const Solver& found) const
 {
-  auto solver = std::make_unique<Solver>(this->Prepared, found.MainCamera(), found.OnlyLight(),
-    found.Options(), this->ExtinctionOnData(found));
+  CarriedExtinction onData = this->ExtinctionOnData(found);
+  if (this->Chosen.forced && this->CanSweepData(found.Options()))
+  {
+    limpid::SweepData(
+      this->OfData.grid, this->Boxes(), this->ChangeOf(found), static_cast<float>(found.Majorant()),
+      [](double, const std::string&) { return true; }, onData.extinction.data());
+  }
+  auto solver = std::make_unique<Solver>(
+    this->Prepared, found.MainCamera(), found.OnlyLight(), found.Options(), std::move(onData));
   solver->Run();
   return solver;
 }

@@ -63,8 +63,9 @@ public:
   std::vector<StructureRow> Rows(const StructureRow* rows) const;
 
   /// Returns a solver for the data, in which nothing is left to do: its extinction has the change
-  /// that another one found on the control grid. If that shows less of the important structures
-  /// than the base extinction does, it has none (Solver). Requires IsCoarser().
+  /// that another one found on the control grid, improved by SweepData where only memory asks for
+  /// that grid and that is possible. If it shows less of the important structures than the base
+  /// extinction does, it has none (Solver). Requires IsCoarser().
   std::unique_ptr<Solver> OnData(const Solver& found) const;
 
   /// Writes the extinctions of the data with this change, within their bounds [1/length]. It takes
@@ -86,6 +87,7 @@ public:
 
 private:
   FieldsOfBox Boxes() const;
+  CarriedChange ChangeOf(const Solver& found) const;
   void FillLayers(const Solver& found, const std::vector<float>& ofBase, float* extinction) const;
 
   ControlGrid Chosen;
