@@ -5,6 +5,7 @@
 // allows, and applied to the data.
 
 #include "BoxScene.h"
+#include "SceneInBoxes.h"
 #include "SceneOnRanks.h"
 
 #include "backend/PhysicalMemory.h"
@@ -34,13 +35,6 @@ BoxScene Onion()
   return scene;
 }
 
-ControlGrid Coarser(int factor)
-{
-  ControlGrid grid;
-  grid.factor = factor;
-  return grid;
-}
-
 ControlGrid Chosen(
   const Grid& grid, ControlResolution resolution, double limit, const NeedPerNode& need = { 4, 36 })
 {
@@ -48,27 +42,6 @@ ControlGrid Chosen(
   settings.controlResolution = resolution;
   settings.memoryLimit = limit;
   return ChooseControlGrid(settings, grid, *ScenePiece::Whole(grid), need);
-}
-
-/// Makes the fields of a scene box by box.
-FieldsOfBox BoxesOf(const BoxScene& scene)
-{
-  return [&scene](const NodeBox& box, float* base, float* importance)
-  {
-    const Int3 nodes = scene.grid.nodes;
-    for (int z = box.along[2].begin; z < box.along[2].end; ++z)
-    {
-      for (int y = box.along[1].begin; y < box.along[1].end; ++y)
-      {
-        const auto row = std::ptrdiff_t((Index(z) * nodes.y + y) * nodes.x);
-        const Range<int>& x = box.along[0];
-        const auto copy = [&](const std::vector<float>& field, float* to)
-        { return std::copy(field.begin() + row + x.begin, field.begin() + row + x.end, to); };
-        base = copy(scene.extinction, base);
-        importance = copy(scene.importance, importance);
-      }
-    }
-  };
 }
 
 /// Finds the change at half resolution and measures it on the data.

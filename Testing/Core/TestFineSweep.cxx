@@ -5,6 +5,7 @@
 // whose fields are made where the sweep is.
 
 #include "BoxScene.h"
+#include "SceneInBoxes.h"
 
 #include "backend/HostDevice.h"
 #include "optimize/ControlledScene.h"
@@ -24,34 +25,6 @@ using namespace limpid;
 
 namespace
 {
-/// Makes the fields of a scene box by box.
-FieldsOfBox BoxesOf(const BoxScene& scene)
-{
-  return [&scene](const NodeBox& box, float* base, float* importance)
-  {
-    const Int3& nodes = scene.grid.nodes;
-    const Range<int>& x = box.along[0];
-    for (int z = box.along[2].begin; z < box.along[2].end; ++z)
-    {
-      for (int y = box.along[1].begin; y < box.along[1].end; ++y)
-      {
-        const auto row = std::ptrdiff_t((Index(z) * nodes.y + y) * nodes.x);
-        const auto copy = [&](const std::vector<float>& field, float* to)
-        { return std::copy(field.begin() + row + x.begin, field.begin() + row + x.end, to); };
-        base = copy(scene.extinction, base);
-        importance = copy(scene.importance, importance);
-      }
-    }
-  };
-}
-
-ControlGrid Coarser(int factor)
-{
-  ControlGrid grid;
-  grid.factor = factor;
-  return grid;
-}
-
 /// An onion of uneven size, with specks, seen along an axis.
 BoxScene SeenAlong(int axis, double sign)
 {

@@ -171,7 +171,7 @@ ScoresOnData ControlledScene::SweepData(
   this->Layered = this->Layered ? std::optional<CoarseFields>(CoarseFields()) : std::nullopt;
   this->Coarse = nullptr;
   this->Prepared = nullptr;
-  return limpid::SweepData(
+  return SweepAndMeasureData(
     this->OfData.grid, this->Boxes(), change, majorant, progress, extinction);
 }
 
@@ -213,12 +213,17 @@ void ControlledScene::FillLayers(
 
 std::unique_ptr<Solver> ControlledScene::OnData(const Solver& found) const
 {
-  CarriedExtinction onData = this->ExtinctionOnData(found);
+  CarriedExtinction onData;
   if (this->Chosen.forced && this->CanSweepData(found.Options()))
   {
+    onData.extinction.resize(static_cast<std::size_t>(this->OfData.grid.NodeCount()));
     limpid::SweepData(
       this->OfData.grid, this->Boxes(), this->ChangeOf(found), static_cast<float>(found.Majorant()),
       [](double, const std::string&) { return true; }, onData.extinction.data());
+  }
+  else
+  {
+    onData = this->ExtinctionOnData(found);
   }
   auto solver = std::make_unique<Solver>(
     this->Prepared, found.MainCamera(), found.OnlyLight(), found.Options(), std::move(onData));

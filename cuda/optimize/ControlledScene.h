@@ -77,7 +77,7 @@ public:
   bool CanSweepData(const Settings& settings) const;
 
   /// Writes the extinctions of the data that a sweep at their own resolution makes of this change,
-  /// and measures them there, see limpid::SweepData. It frees Fields() and takes the solver that
+  /// and measures them there, see SweepAndMeasureData. It frees Fields() and takes the solver that
   /// has found the change. Requires IsCoarser() and CanSweepData.
   ScoresOnData SweepData(
     std::unique_ptr<Solver>&& found, const Progress& progress, float* extinction);

@@ -27,8 +27,12 @@ void MakeFieldsFor(VisibilityTerm<HostDevice>& term, FineFields& fields)
   }
 }
 
-Problem ProblemOf(const Grid& data, FineFields& fields, const CarriedChange& change, float majorant)
+/// Surveys the fields and returns the problem that they are of.
+Problem Surveyed(const Grid& data, FineFields& fields, const CarriedChange& change, float majorant,
+  const Progress& progress)
 {
+  fields.Survey();
+  progress(0.1, atTheData);
   Problem problem;
   problem.grid = data;
   problem.baseExtinction = fields.Base();
@@ -183,14 +187,19 @@ bool CanSweepData(const Settings& settings)
     !HasLightExtinction(settings) && settings.temporalCoherence == 0 && settings.referencePull == 0;
 }
 
-ScoresOnData SweepData(const Grid& data, const FieldsOfBox& ofBox, const CarriedChange& change,
+void SweepData(const Grid& data, const FieldsOfBox& ofBox, const CarriedChange& change,
   float majorant, const Progress& progress, float* extinction)
+{
+  FineFields fields(data, ofBox, change, majorant);
+  SweepOnce(Surveyed(data, fields, change, majorant, progress), fields, progress, extinction);
+}
+
+ScoresOnData SweepAndMeasureData(const Grid& data, const FieldsOfBox& ofBox,
+  const CarriedChange& change, float majorant, const Progress& progress, float* extinction)
 {
   const auto start = std::chrono::steady_clock::now();
   FineFields fields(data, ofBox, change, majorant);
-  fields.Survey();
-  progress(0.1, atTheData);
-  const Problem problem = ProblemOf(data, fields, change, majorant);
+  const Problem problem = Surveyed(data, fields, change, majorant, progress);
   SweepOnce(problem, fields, progress, extinction);
   progress(0.8, atTheData);
   ScoresOnData scores = Measure(problem, fields, extinction);

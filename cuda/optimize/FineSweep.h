@@ -26,16 +26,19 @@ bool CanSweepData(const Settings& settings);
 
 /**
  * Improves a change that was found on a coarser grid by one policy sweep of the camera at the
- * resolution of the data, and measures the result there (Documentation/Method.md, section on
- * coarser grids). Of the fields of the data, only the extinction is in memory, and a derivative if
- * the camera is in the volume; all others are made where a sweep is. A process alone only; on the
- * processor.
+ * resolution of the data (Documentation/Method.md, section on coarser grids). Of the fields of the
+ * data, only the extinction is in memory, and a derivative if the camera is in the volume; all
+ * others are made where a sweep is. A process alone only; on the processor.
  *
- * `majorant`: upper bound of the extinction [1/length]; `extinction`: out: the result [1/length],
- * or the base extinction if that shows more of the important structures.
+ * `majorant`: upper bound of the extinction [1/length]; `extinction`: out: the result [1/length].
  */
-ScoresOnData SweepData(const Grid& data, const FieldsOfBox& ofBox, const CarriedChange& change,
+void SweepData(const Grid& data, const FieldsOfBox& ofBox, const CarriedChange& change,
   float majorant, const Progress& progress, float* extinction);
+
+/// SweepData, whose result is then measured in the same way. It is the base extinction if that
+/// shows more of the important structures.
+ScoresOnData SweepAndMeasureData(const Grid& data, const FieldsOfBox& ofBox,
+  const CarriedChange& change, float majorant, const Progress& progress, float* extinction);
 }
 
 #endif
