@@ -159,15 +159,17 @@ LIMPID_INLINE IntLanes Gather(const std::uint8_t* from, const IntLanes& index)
   return IntLanes::Load(numbers);
 }
 
+/// Without a loop: for that, GCC 12 writes the lanes to memory in two parts and reads them as one,
+/// which has to wait until both are written.
 LIMPID_INLINE FloatLanes SquareRoot(const FloatLanes& x)
 {
-  alignas(32) float numbers[FloatLanes::count];
-  x.Store(numbers);
-  for (float& number : numbers)
-  {
-    number = std::sqrt(number);
-  }
-  return FloatLanes::Load(numbers);
+  const EightFloats low = { std::sqrt(x.low[0]), std::sqrt(x.low[1]), std::sqrt(x.low[2]),
+    std::sqrt(x.low[3]), std::sqrt(x.low[4]), std::sqrt(x.low[5]), std::sqrt(x.low[6]),
+    std::sqrt(x.low[7]) };
+  const EightFloats high = { std::sqrt(x.high[0]), std::sqrt(x.high[1]), std::sqrt(x.high[2]),
+    std::sqrt(x.high[3]), std::sqrt(x.high[4]), std::sqrt(x.high[5]), std::sqrt(x.high[6]),
+    std::sqrt(x.high[7]) };
+  return FloatLanes(low, high);
 }
 
 LIMPID_INLINE IntLanes BitsOf(const FloatLanes& x)
