@@ -246,7 +246,7 @@ std::optional<ScoresOnData> AddFields(ControlledScene& controlled, std::unique_p
   const auto extinction = NewArray<vtkFloatArray>("Extinction", count);
   const auto light = NewArray<vtkFloatArray>("LightExtinction", separate ? count : 0);
   std::optional<ScoresOnData> scores;
-  if (controlled.CanSweepData(found->Options()))
+  if (controlled.SweepsData(found->Options()))
   {
     scores = controlled.SweepData(std::move(found), progress, extinction->GetPointer(0));
   }

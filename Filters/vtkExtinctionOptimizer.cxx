@@ -287,11 +287,11 @@ void vtkExtinctionOptimizer::Optimize(vtkInformationVector** inputVector, vtkIma
   limpid::ControlledScene controlled = state.Control(scene);
   limpid::ConcurrentResult result = state.Optimize(controlled, camera, light);
   std::optional<limpid::TargetsFound> targets = state.MeetTargets(scene, controlled, result.solver);
-  this->SetProgressText(nullptr);
   const bool coherent = this->GetTemporalCoherence() > 0 && this->GetMethod() == OPTIMIZED;
   state.LastChange = coherent ? result.solver->Change() : limpid::CarriedChange();
   const limpid::OptimizationSummary summary =
     state.AddResults(scene, controlled, result.solver, output);
+  this->SetProgressText(nullptr);
   if (targets && controlled.MeasuresData())
   {
     targets->shares =

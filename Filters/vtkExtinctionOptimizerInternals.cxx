@@ -99,7 +99,7 @@ limpid::OptimizationSummary vtkExtinctionOptimizer::Internals::AddResults(
   }
   if (controlled.MeasuresData())
   {
-    std::unique_ptr<limpid::Solver> onData = controlled.OnData(*solver);
+    std::unique_ptr<limpid::Solver> onData = controlled.OnData(*solver, this->MakeProgress());
     limpid::AddFields(*onData, scene.arrays, scene.unitDistance, wanted, output);
     limpid::OptimizationSummary summary = limpid::SummaryOf(*solver, *onData);
     summary.controlFactor = controlled.Control().factor;
@@ -345,10 +345,10 @@ limpid::ConcurrentResult vtkExtinctionOptimizer::Internals::Optimize(
   const limpid::Light& light) const
 {
   const limpid::SceneFields scene = controlled.Fields();
-  const limpid::Progress progress = this->MakeProgress();
   const std::vector<limpid::Camera> cameras = limpid::CamerasOf(
     limpid::ViewSetOf(this->Self->Settings), camera, limpid::OrbitStart::AtCamera);
   limpid::Settings settings = limpid::ForCameras(limpid::SettingsOf(this->Self->Settings), cameras);
+  const limpid::Progress progress = controlled.OfSolver(this->MakeProgress(), settings);
   settings.scoreIterations = true; // for the table Convergence
   limpid::ConcurrentResult result;
   result.camera = camera;

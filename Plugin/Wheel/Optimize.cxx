@@ -73,7 +73,7 @@ struct Run
     if (this->guide)
     {
       return OptimizeConcurrently(
-        fields, this->camera, this->light, this->settings, *this->guide, this->progress);
+        fields, this->camera, this->light, this->settings, *this->guide, this->OfSolver());
     }
     const std::vector<Camera> cameras = CamerasOf(this->views, this->camera, OrbitStart::AtCamera);
     ConcurrentResult result;
@@ -84,9 +84,11 @@ struct Run
     {
       this->controlled->Start(*result.solver, this->initial);
     }
-    result.solver->Run(this->progress);
+    result.solver->Run(this->OfSolver());
     return result;
   }
+
+  Progress OfSolver() const { return this->controlled->OfSolver(this->progress, this->settings); }
 
   /// Solves the scene, again if structures have targets.
   TargetsFound SolveFor(
@@ -98,7 +100,7 @@ struct Run
     fields.importance = this->changing.data();
     found = this->Solve(fields);
     TargetsFound seen = MeetTargets({ fields, this->changing.data(), structures, there.data() },
-      this->previous ? *this->previous : CarriedChange(), this->progress, found.solver);
+      this->previous ? *this->previous : CarriedChange(), this->OfSolver(), found.solver);
     if (this->controlled->IsCoarser())
     {
       this->changing.resize(std::size_t(this->scene.ValueCount()));
@@ -152,13 +154,8 @@ nb::list RowsOf(const TargetsFound& found)
   return rows;
 }
 
-// `onGrid`: the solver that has iterated, which may be another one than that of the data.
-nb::dict ResultsOf(const Solver& solver, const Solver& onGrid, const Camera& camera)
+void SetScores(nb::dict& results, const Score& base, const Score& best, const Ceiling& ceiling)
 {
-  nb::dict results;
-  const Score base = solver.BaseScore();
-  const Score best = solver.BestScore();
-  const Ceiling ceiling = solver.FindCeiling();
   results["visibility_score"] = best.visibility;
   results["base_visibility_score"] = base.visibility;
   results["visible_fraction"] = best.fraction;
@@ -167,6 +164,13 @@ nb::dict ResultsOf(const Solver& solver, const Solver& onGrid, const Camera& cam
   results["attainable_fraction"] = ceiling.fraction;
   results["attainable_score"] = ceiling.visibility;
   results["attainable_light_score"] = ceiling.lightVisibility;
+}
+
+// `onGrid`: the solver that has iterated, which may be another one than that of the data.
+nb::dict ResultsOf(const Solver& solver, const Solver& onGrid, const Camera& camera)
+{
+  nb::dict results;
+  SetScores(results, solver.BaseScore(), solver.BestScore(), solver.FindCeiling());
   results["energy"] = solver.BestEnergy().Total();
   results["iterations"] = onGrid.Iterations();
   results["settled"] = onGrid.Settled();
@@ -213,7 +217,7 @@ nb::dict Optimize(const Grid& grid, const Field& extinction, const Field& import
       }
       if (run.controlled->MeasuresData())
       {
-        onData = run.controlled->OnData(*found.solver);
+        onData = run.controlled->OnData(*found.solver, run.progress);
         if (seen)
         {
           seen->shares = onData->SharesOf(seen->structures, rows->data());
@@ -224,10 +228,11 @@ nb::dict Optimize(const Grid& grid, const Field& extinction, const Field& import
       judged.FindCeiling();
     });
 
+  const bool isSwept = !onData && run.controlled->SweepsData(found.solver->Options());
+  const bool isMeasured = !run.controlled->IsCoarser() || onData || isSwept;
   nb::dict results = ResultsOf(onData ? *onData : *found.solver, *found.solver, found.camera);
   results["control_factor"] = run.controlled->Control().factor;
-  results["resolution"] =
-    run.controlled->IsCoarser() && !onData ? run.controlled->Control().Text() : std::string();
+  results["resolution"] = isMeasured ? std::string() : run.controlled->Control().Text();
   if (seen)
   {
     results["structures"] = RowsOf(*seen);
@@ -237,6 +242,7 @@ nb::dict Optimize(const Grid& grid, const Field& extinction, const Field& import
   std::vector<float> forCamera;
   std::vector<float> forLight; // empty: the light has none of its own
   CarriedChange change;
+  ScoresOnData swept;
   ComputeBesidePython(
     [&]
     {
@@ -244,7 +250,13 @@ nb::dict Optimize(const Grid& grid, const Field& extinction, const Field& import
       {
         change = found.solver->Change();
       }
-      if (run.controlled->IsCoarser() && !onData)
+      if (isSwept)
+      {
+        forCamera.resize(std::size_t(run.scene.ValueCount()));
+        swept = run.controlled->SweepData(std::move(found.solver), run.progress, forCamera.data());
+        return;
+      }
+      if (!isMeasured)
       {
         CarriedExtinction drawn = run.controlled->ExtinctionOnData(*found.solver);
         forCamera = std::move(drawn.extinction);
@@ -255,6 +267,10 @@ nb::dict Optimize(const Grid& grid, const Field& extinction, const Field& import
       forCamera = taken[0].Take();
       forLight = taken[1].Take();
     });
+  if (isSwept)
+  {
+    SetScores(results, swept.base, swept.result, swept.ceiling);
+  }
   if (!change.ofExtinction.empty())
   {
     results["change"] = std::move(change);

@@ -50,7 +50,7 @@ Found AtHalf(const SceneFields& fields, const Whole& scene)
   const ControlledScene controlled(fields, Coarser(2), scene.settings.importanceSmoothing);
   Solver solver(controlled.Fields(), scene.camera, scene.light, scene.settings);
   solver.Run();
-  return FoundBy(*controlled.OnData(solver));
+  return FoundBy(*controlled.OnData(solver, {}));
 }
 }
 

@@ -54,7 +54,7 @@ struct Swept
   double majorant = 0;
 };
 
-Swept SweepOf(const BoxScene& scene, int factor = 2)
+Swept SweepOf(const BoxScene& scene, int factor = 2, const Progress& progress = {})
 {
   SceneFields data;
   data.grid = scene.grid;
@@ -62,15 +62,14 @@ Swept SweepOf(const BoxScene& scene, int factor = 2)
     data, BoxesOf(scene), Coarser(factor), scene.settings.importanceSmoothing);
   auto solver =
     std::make_unique<Solver>(controlled.Fields(), scene.camera, scene.light, scene.settings);
-  solver->Run();
+  solver->Run(controlled.OfSolver(progress, scene.settings));
   Swept swept;
   swept.before.resize(scene.extinction.size());
   controlled.FillExtinction(*solver, swept.before.data(), nullptr);
   swept.after.assign(swept.before.size(), -1.0f);
   swept.change = solver->Change();
   swept.majorant = solver->Majorant();
-  swept.scores = controlled.SweepData(
-    std::move(solver), [](double, const std::string&) { return true; }, swept.after.data());
+  swept.scores = controlled.SweepData(std::move(solver), progress, swept.after.data());
   return swept;
 }
 
@@ -194,6 +193,38 @@ TEST(FineSweep, SeesFromWithin)
   const Swept swept = SweepOf(scene);
   EXPECT_EQ(swept.after, SweptInMemory(scene, swept));
   EXPECT_GE(swept.scores.result.visibility, swept.scores.base.visibility);
+}
+
+TEST(FineSweep, IsAPartOfTheProgress)
+{
+  std::vector<double> shares;
+  std::vector<std::string> texts;
+  SweepOf(SeenAlong(2, 1), 2,
+    [&](double share, const std::string& text)
+    {
+      shares.push_back(share);
+      texts.push_back(text);
+      return true;
+    });
+  EXPECT_TRUE(std::is_sorted(shares.begin(), shares.end()));
+  EXPECT_GT(shares.front(), 0);
+  EXPECT_LT(shares.back(), 1);
+  EXPECT_EQ(texts.back(), "Sweep at the resolution of the data");
+  EXPECT_NE(texts.front(), texts.back());
+}
+
+TEST(FineSweep, CanBeStopped)
+{
+  const std::string sweep = "Sweep at the resolution of the data";
+  const BoxScene scene = SeenAlong(0, 1);
+  for (int steps = 0; steps < 3; ++steps)
+  {
+    int left = steps;
+    const Swept swept = SweepOf(
+      scene, 2, [&](double, const std::string& text) { return text != sweep || left-- > 0; });
+    EXPECT_EQ(swept.after, swept.before);
+    EXPECT_GE(swept.scores.result.visibility, swept.scores.base.visibility);
+  }
 }
 
 TEST(FineSweep, NeedsPolicySweepsOfOneCameraForOneExtinction)

@@ -136,6 +136,24 @@ class TestResult(unittest.TestCase):
         self.assertEqual(moved.camera.focal_point, VIEW["camera"]["focal_point"])
 
 
+class TestMemoryLimit(unittest.TestCase):
+    def test_a_coarser_result_is_improved_at_the_resolution_of_the_data(self):
+        # At half resolution, 16.3 bytes a point are needed, and 18.3 to measure results.
+        points = float(np.prod(SHAPE))
+        full = optimize()
+        shares = []
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            for bytes_of_point in (17.3, 19.3):
+                found = optimize(memory_limit=bytes_of_point * points / 1e6,
+                                 progress=lambda share, text: shares.append(share))
+                self.assertEqual(found.control_factor, 2)
+                gain = found.visibility_score - found.base_visibility_score
+                self.assertGreater(gain, 0.97 * (full.visibility_score - full.base_visibility_score))
+                self.assertAlmostEqual(found.base_visibility_score / full.base_visibility_score, 1, 9)
+        self.assertGreater(len([share for share in shares if 0.4 < share < 1]), 4)
+
+
 class TestViews(unittest.TestCase):
     def turned(self, degrees):
         """The camera of the scene turned about the z axis through its focal point."""

@@ -16,6 +16,12 @@
 
 namespace limpid
 {
+namespace
+{
+/// Share of the time of a solver where a sweep of the data follows, of large dense data.
+constexpr double shareOfSolver = 0.4;
+}
+
 ControlledScene::ControlledScene(
   const SceneFields& data, const ControlGrid& control, ImportanceSmoothing smoothing)
   : Chosen(control)
@@ -126,10 +132,16 @@ void ControlledScene::FillExtinction(const Solver& found, float* extinction, flo
   }
 }
 
-bool ControlledScene::CanSweepData(const Settings& settings) const
+bool ControlledScene::SweepsData(const Settings& settings) const
 {
   const bool isWhole = !this->OfData.piece || this->OfData.piece->IsWhole();
-  return isWhole && limpid::CanSweepData(settings);
+  const bool isWanted = this->Chosen.forced || !this->MeasuresData();
+  return this->IsCoarser() && isWhole && isWanted && CanSweepData(settings);
+}
+
+Progress ControlledScene::OfSolver(const Progress& all, const Settings& settings) const
+{
+  return this->SweepsData(settings) ? PartOf(all, 0, shareOfSolver) : all;
 }
 
 /// Returns what makes the fields of a box of the data.
@@ -163,7 +175,7 @@ CarriedChange ControlledScene::ChangeOf(const Solver& found) const
 }
 
 ScoresOnData ControlledScene::SweepData(
-  std::unique_ptr<Solver>&& found, const Progress& progress, float* extinction)
+  std::unique_ptr<Solver>&& found, const Progress& all, float* extinction)
 {
   const CarriedChange change = this->ChangeOf(*found);
   const auto majorant = static_cast<float>(found->Majorant());
@@ -172,7 +184,7 @@ ScoresOnData ControlledScene::SweepData(
   this->Coarse = nullptr;
   this->Prepared = nullptr;
   return SweepAndMeasureData(
-    this->OfData.grid, this->Boxes(), change, majorant, progress, extinction);
+    this->OfData.grid, this->Boxes(), change, majorant, PartOf(all, shareOfSolver, 1), extinction);
 }
 
 /// Writes one of the extinctions, a few layers at a time. `ofBase`: see CarriedChange.
@@ -211,15 +223,15 @@ void ControlledScene::FillLayers(
   }
 }
 
-std::unique_ptr<Solver> ControlledScene::OnData(const Solver& found) const
+std::unique_ptr<Solver> ControlledScene::OnData(const Solver& found, const Progress& all) const
 {
   CarriedExtinction onData;
-  if (this->Chosen.forced && this->CanSweepData(found.Options()))
+  if (this->SweepsData(found.Options()))
   {
     onData.extinction.resize(static_cast<std::size_t>(this->OfData.grid.NodeCount()));
-    limpid::SweepData(
-      this->OfData.grid, this->Boxes(), this->ChangeOf(found), static_cast<float>(found.Majorant()),
-      [](double, const std::string&) { return true; }, onData.extinction.data());
+    limpid::SweepData(this->OfData.grid, this->Boxes(), this->ChangeOf(found),
+      static_cast<float>(found.Majorant()), PartOf(all, shareOfSolver, 1),
+      onData.extinction.data());
   }
   else
   {

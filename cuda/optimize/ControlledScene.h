@@ -62,25 +62,28 @@ public:
   /// Returns the rows of structures at the nodes of Fields(). `rows`: at those of the data.
   std::vector<StructureRow> Rows(const StructureRow* rows) const;
 
+  /// Whether a result of a coarser grid is to be improved by a sweep of the data, see
+  /// limpid::CanSweepData: not where the user has chosen the grid and it is measured on the data.
+  bool SweepsData(const Settings& settings) const;
+
+  /// Returns the progress of a solver of Fields(). `all`: that of solver and sweep.
+  Progress OfSolver(const Progress& all, const Settings& settings) const;
+
   /// Returns a solver for the data, in which nothing is left to do: its extinction has the change
-  /// that another one found on the control grid, improved by SweepData where only memory asks for
-  /// that grid and that is possible. If it shows less of the important structures than the base
-  /// extinction does, it has none (Solver). Requires IsCoarser().
-  std::unique_ptr<Solver> OnData(const Solver& found) const;
+  /// that another one found on the control grid, improved by a sweep if SweepsData. If it shows
+  /// less of the important structures than the base extinction does, it has none (Solver). Requires
+  /// IsCoarser().
+  std::unique_ptr<Solver> OnData(const Solver& found, const Progress& all) const;
 
   /// Writes the extinctions of the data with this change, within their bounds [1/length]. It takes
   /// less memory than OnData, and nothing is measured. `light`: out: of a separate extinction for
   /// the light; null if there is none. Requires IsCoarser().
   void FillExtinction(const Solver& found, float* extinction, float* light) const;
 
-  /// Whether SweepData can improve a result with these settings, see limpid::CanSweepData.
-  bool CanSweepData(const Settings& settings) const;
-
   /// Writes the extinctions of the data that a sweep at their own resolution makes of this change,
   /// and measures them there, see SweepAndMeasureData. It frees Fields() and takes the solver that
-  /// has found the change. Requires IsCoarser() and CanSweepData.
-  ScoresOnData SweepData(
-    std::unique_ptr<Solver>&& found, const Progress& progress, float* extinction);
+  /// has found the change. Requires SweepsData.
+  ScoresOnData SweepData(std::unique_ptr<Solver>&& found, const Progress& all, float* extinction);
 
   /// Returns them in arrays of their own. Not for fields that are made in layers.
   CarriedExtinction ExtinctionOnData(const Solver& found) const;

@@ -17,7 +17,11 @@ namespace limpid
 {
 namespace
 {
-constexpr const char* atTheData = "Sweep at the resolution of the data"; // for the user
+/// Tells how much is done. Returns whether to go on.
+bool GoesOn(const Progress& progress, double share)
+{
+  return !progress || progress(share, "Sweep at the resolution of the data");
+}
 
 void MakeFieldsFor(VisibilityTerm<HostDevice>& term, FineFields& fields)
 {
@@ -28,11 +32,9 @@ void MakeFieldsFor(VisibilityTerm<HostDevice>& term, FineFields& fields)
 }
 
 /// Surveys the fields and returns the problem that they are of.
-Problem Surveyed(const Grid& data, FineFields& fields, const CarriedChange& change, float majorant,
-  const Progress& progress)
+Problem Surveyed(const Grid& data, FineFields& fields, const CarriedChange& change, float majorant)
 {
   fields.Survey();
-  progress(0.1, atTheData);
   Problem problem;
   problem.grid = data;
   problem.baseExtinction = fields.Base();
@@ -106,9 +108,14 @@ const float* FindDerivative(Terms<HostDevice>& energy, const PolicyTurn<HostDevi
   return derivative;
 }
 
-/// Sweeps the camera once, from the changed extinction to the next.
-void SweepOnce(const Problem& problem, FineFields& fields, const Progress& progress, float* next)
+/// Sweeps the camera once, from the changed extinction to the next. Returns whether it did;
+/// `progress` may stop it before the sweep.
+bool SweepOnce(const Problem& problem, FineFields& fields, const Progress& progress, float* next)
 {
+  if (!GoesOn(progress, 0.1))
+  {
+    return false;
+  }
   const std::shared_ptr<HostDevice> device = HostDevice::Shared();
   Terms<HostDevice> energy(device, problem);
   for (EnergyTerm<HostDevice>& term : energy.all)
@@ -119,10 +126,16 @@ void SweepOnce(const Problem& problem, FineFields& fields, const Progress& progr
   const PolicyTurn<HostDevice> turn =
     problem.settings.smoothness > 0 ? turns.Smoothing(0) : turns.Of(0);
   energy.MeasureTerm(*turn.swept, fields.Changed());
-  progress(0.3, atTheData);
+  if (!GoesOn(progress, 0.3))
+  {
+    return false;
+  }
   NodeValues apart;
   const float* lagged = FindDerivative(energy, turn, problem, fields, next, apart);
-  progress(0.5, atTheData);
+  if (!GoesOn(progress, 0.5))
+  {
+    return false;
+  }
   if (turn.smoothing > 0)
   {
     fields.SetPull(lagged, turn.smoothing);
@@ -137,6 +150,16 @@ void SweepOnce(const Problem& problem, FineFields& fields, const Progress& progr
   sweep.tellsAfter = false;
   ExactDifferences moved;
   SweepPolicy(*device, *turn.swept, energy, problem, sweep, moved);
+  return true;
+}
+
+/// Sweeps the camera once, or writes the changed extinction if `progress` stops that.
+void SweepOrFill(const Problem& problem, FineFields& fields, const Progress& progress, float* next)
+{
+  if (!SweepOnce(problem, fields, progress, next))
+  {
+    fields.Fill(fields.Changed(), next);
+  }
 }
 
 /// The rays by which a source measures scores, see PreparedScene::ProblemForScores.
@@ -191,7 +214,7 @@ void SweepData(const Grid& data, const FieldsOfBox& ofBox, const CarriedChange& 
   float majorant, const Progress& progress, float* extinction)
 {
   FineFields fields(data, ofBox, change, majorant);
-  SweepOnce(Surveyed(data, fields, change, majorant, progress), fields, progress, extinction);
+  SweepOrFill(Surveyed(data, fields, change, majorant), fields, progress, extinction);
 }
 
 ScoresOnData SweepAndMeasureData(const Grid& data, const FieldsOfBox& ofBox,
@@ -199,9 +222,9 @@ ScoresOnData SweepAndMeasureData(const Grid& data, const FieldsOfBox& ofBox,
 {
   const auto start = std::chrono::steady_clock::now();
   FineFields fields(data, ofBox, change, majorant);
-  const Problem problem = Surveyed(data, fields, change, majorant, progress);
-  SweepOnce(problem, fields, progress, extinction);
-  progress(0.8, atTheData);
+  const Problem problem = Surveyed(data, fields, change, majorant);
+  SweepOrFill(problem, fields, progress, extinction);
+  GoesOn(progress, 0.8);
   ScoresOnData scores = Measure(problem, fields, extinction);
   if (!(problem.settings.emphasis > 0) && scores.result.fraction < scores.base.fraction)
   {

@@ -30,7 +30,8 @@ bool CanSweepData(const Settings& settings);
  * data, only the extinction is in memory, and a derivative if the camera is in the volume; all
  * others are made where a sweep is. A process alone only; on the processor.
  *
- * `majorant`: upper bound of the extinction [1/length]; `extinction`: out: the result [1/length].
+ * `majorant`: upper bound of the extinction [1/length]; `progress`: if it returns false, the result
+ * is the change as it was found; `extinction`: out: the result [1/length].
  */
 void SweepData(const Grid& data, const FieldsOfBox& ofBox, const CarriedChange& change,
   float majorant, const Progress& progress, float* extinction);

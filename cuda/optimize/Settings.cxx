@@ -67,6 +67,16 @@ Settings ForCameras(Settings settings, const std::vector<Camera>& cameras)
   return settings;
 }
 
+Progress PartOf(const Progress& all, double begin, double end)
+{
+  if (!all)
+  {
+    return {};
+  }
+  return [all, begin, end](double share, const std::string& text)
+  { return all(begin + (end - begin) * share, text); };
+}
+
 bool operator==(const Settings& one, const Settings& other)
 {
   return NumbersOf(one) == NumbersOf(other) && one.otherCameras == other.otherCameras;

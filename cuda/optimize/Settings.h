@@ -185,6 +185,10 @@ struct IterationRecord
 /// Called after every iteration with the fraction of work done in [0, 1] and a text for the user.
 /// If it returns false, the solver stops and keeps the best iterate so far.
 using Progress = std::function<bool(double share, const std::string& text)>;
+
+/// Returns the progress of a part of the work, from the share `begin` of it to `end`; empty if that
+/// of all is.
+Progress PartOf(const Progress& all, double begin, double end);
 }
 
 #endif
