@@ -16,7 +16,7 @@ namespace
 {
 // Memory of a display beside its input and fields of its points: what gradients and pictures take,
 // and what the optimisation and shadows take. Measured by Testing/Benchmarks/large_display.py at
-// 512^3 points: 18.2 bytes a point at half and 10.6 at quarter resolution.
+// 512^3 points: 17.6 bytes a point at half and 10.2 at quarter resolution.
 constexpr NeedPerNode Need{ 10, 64 };
 
 // Returns a reference on another grid; empty if there is none.
