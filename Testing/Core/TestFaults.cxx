@@ -259,7 +259,7 @@ TEST_P(FaultsOneIn, OnSeveralThreads)
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Quick, FaultsOneIn, ::testing::Values(23));
+INSTANTIATE_TEST_SUITE_P(Quick, FaultsOneIn, ::testing::Values(47));
 INSTANTIATE_TEST_SUITE_P(Long, FaultsOneIn, ::testing::Values(1));
 
 TEST(Faults, OfTheRenderer)

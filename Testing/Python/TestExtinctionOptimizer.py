@@ -114,10 +114,10 @@ class TestOutput(OptimizerTest):
         self.assertNotEqual(output.GetFieldData().GetAbstractArray("Backend").GetValue(0), "")
 
     def test_knows_what_could_be_seen_at_most(self):
-        before = self.run_filter(phantom(32), MaximumIterations=0)
-        after = self.run_filter(phantom(32))
-        guarded = self.run_filter(phantom(32), ProtectImportance=1)
-        unlit = self.run_filter(phantom(32), LightWeight=0)
+        before = self.run_filter(phantom(24), MaximumIterations=0)
+        after = self.run_filter(phantom(24))
+        guarded = self.run_filter(phantom(24), ProtectImportance=1)
+        unlit = self.run_filter(phantom(24), LightWeight=0)
 
         for name, found in (("AttainableFraction", "VisibleFraction"),
                             ("AttainableScore", "VisibilityScore")):
@@ -136,7 +136,7 @@ class TestOutput(OptimizerTest):
     def test_settles_whatever_is_looked_at(self):
         for scene, light in itertools.product(range(4), (0, 1)):
             with self.subTest(scene=scene, light=light):
-                output = self.run_filter(phantom(32, scene), LightWeight=light)
+                output = self.run_filter(phantom(24, scene), LightWeight=light)
                 self.assertEqual(number(output, "Settled"), 1)
 
     def test_missed_importance_is_what_is_removed_or_hidden(self):
@@ -925,13 +925,13 @@ class TestViewpoint(OptimizerTest):
         def field(result, name):
             return result.GetOutput().GetFieldData().GetArray(name).GetTuple(0)
 
-        alone = optimizer(phantom(32))
+        alone = optimizer(phantom(24))
         alone.Update()
         start, = field(alone, "VisibilityScore")
         self.assertIsNone(alone.GetOutput().GetFieldData().GetArray("StartVisibilityScore"))
         for guide in (vtkExtinctionOptimizer.PROXY, vtkExtinctionOptimizer.COUPLED):
             with self.subTest(guide=guide):
-                both = optimizer(phantom(32), OptimizeViewpoint=1, ViewpointGuide=guide)
+                both = optimizer(phantom(24), OptimizeViewpoint=1, ViewpointGuide=guide)
                 both.Update()
                 self.assertEqual(both.messages["ErrorEvent"], [])
                 self.assertEqual(field(both, "StartVisibilityScore"), (start,))
@@ -941,15 +941,15 @@ class TestViewpoint(OptimizerTest):
                 self.assertAlmostEqual(np.linalg.norm(position), np.sqrt(29), places=9)
 
                 # The extinction is the one for that camera.
-                there = optimizer(phantom(32), CameraPosition=tuple(position),
+                there = optimizer(phantom(24), CameraPosition=tuple(position),
                                   CameraViewUp=field(both, "CameraViewUp"))
                 there.Update()
                 self.assertEqual(field(there, "VisibilityScore"), (reached,))
 
     def test_goes_to_the_highest_ceiling_and_says_what_that_proves(self):
-        alone = optimizer(phantom(32))
+        alone = optimizer(phantom(24))
         alone.Update()
-        both = optimizer(phantom(32), OptimizeViewpoint=1)
+        both = optimizer(phantom(24), OptimizeViewpoint=1)
         both.Update()
 
         self.assertEqual(both.GetViewpointGuide(), vtkExtinctionOptimizer.ATTAINABLE)
@@ -1092,7 +1092,7 @@ class TestRuns(OptimizerTest):
         self.assert_is_input(result, image)
 
     def test_an_abort_at_any_event_leaves_a_filter_that_can_run(self):
-        image = phantom(16)
+        image = phantom(12)
         for properties, step in (
                 ({}, 1), ({"Mode": vtkExtinctionOptimizer.SEPARATE}, 3),
                 ({"Solver": vtkExtinctionOptimizer.ADAM, "IterationsPerLevel": (2, 2, 2)}, 2),
@@ -1156,7 +1156,7 @@ class TestRuns(OptimizerTest):
 
     def moved(self, coherence, degrees=2, **settings):
         """How much the extinction changes when the camera turns."""
-        result = optimizer(phantom(32), TemporalCoherence=coherence, **settings)
+        result = optimizer(phantom(24), TemporalCoherence=coherence, **settings)
         found = []
         for angle in (0, math.radians(degrees)):
             result.SetCameraPosition(5 * math.sin(angle), -1, 5 * math.cos(angle))
@@ -1176,11 +1176,11 @@ class TestRuns(OptimizerTest):
             for name, value in change.items():
                 getattr(result, "Set" + name)(value)
             result.Update()
-            fresh = optimizer(phantom(32), CameraPosition=result.GetCameraPosition(), **change)
+            fresh = optimizer(phantom(24), CameraPosition=result.GetCameraPosition(), **change)
             fresh.Update()
             np.testing.assert_array_equal(values(result.GetOutput(), "Extinction"),
                                           values(fresh.GetOutput(), "Extinction"))
-        other = phantom(32)
+        other = phantom(24)
         other.SetOrigin(1, 2, 3)
         result.SetInputData(other)
         fresh.SetInputData(other)
@@ -1203,9 +1203,9 @@ class TestRuns(OptimizerTest):
 
     def test_coherence_of_more_points(self):
         _, result = self.moved(1)
-        result.SetInputData(phantom(40))
+        result.SetInputData(phantom(28))
         result.Update()
-        fresh = optimizer(phantom(40), CameraPosition=result.GetCameraPosition())
+        fresh = optimizer(phantom(28), CameraPosition=result.GetCameraPosition())
         fresh.Update()
 
         self.assertEqual(result.messages["ErrorEvent"], [])
