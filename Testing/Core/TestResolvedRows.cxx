@@ -5,12 +5,15 @@
 
 #include "PlanSweep.h"
 #include "backend/HostDevice.h"
+#include "energy/CeilingKernel.h"
 #include "sweep/FrustumRays.h"
 #include "sweep/RowSampler.h"
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <map>
 #include <memory>
 #include <random>
@@ -76,6 +79,30 @@ struct RecordAlone
 };
 }
 
+namespace
+{
+/// Moves each ray alone, and records those whose layers are resolved.
+template <Kept kept>
+struct CeilingAlone
+{
+  CeilingStep<kept> step;
+  std::vector<Index>* resolved;
+
+  template <LayerCrossing passage>
+  void operator()(const RayInLayer<passage>& here, Index i) const
+  {
+    this->step(here, i);
+  }
+
+  template <class Sampler, class Cuts>
+  void operator()(const ResolvedRay<Sampler, Cuts>& here, Index i) const
+  {
+    this->resolved->push_back(i);
+    this->step(here, i);
+  }
+};
+}
+
 namespace limpid
 {
 template <>
@@ -109,6 +136,22 @@ struct RandomScene
   template <class Cuts, bool withEffects>
   int Compare(const RaySource& source, bool countsKept) const
   {
+    return this->ForRows(source, countsKept, CompareRow<Cuts, withEffects>);
+  }
+
+  /// The same for ceilings.
+  template <class Cuts, Kept kept>
+  int CompareCeilings(const RaySource& source, bool hasLeast) const
+  {
+    return this->ForRows(source, hasLeast, CompareCeilingsOfRow<Cuts, kept>);
+  }
+
+private:
+  /// Calls compare(rays, fields, columns) for every row of rays in every layer, and returns the sum
+  /// of what it returns. `hasBase`: whether fields have a base.
+  template <class CompareRow>
+  int ForRows(const RaySource& source, bool hasBase, const CompareRow& compare) const
+  {
     const auto device = std::make_shared<HostDevice>();
     const Occupancy occupancy(this->grid, this->extinction.data(), this->importance.data(), true);
     int resolved = 0;
@@ -132,8 +175,9 @@ struct RandomScene
           RowSampler rays(frustum, states, row);
           if (rays.EnterLayer(s, true))
           {
-            resolved += CompareRow<Cuts, withEffects>(rays,
-              { &windows[0], &windows[1], countsKept ? &windows[2] : nullptr }, frustum.columns);
+            const RayFields<SliceWindow*> fields{ &windows[0], &windows[1],
+              hasBase ? &windows[2] : nullptr };
+            resolved += compare(rays, fields, frustum.columns);
           }
         }
       }
@@ -141,7 +185,44 @@ struct RandomScene
     return resolved;
   }
 
-private:
+  template <class Cuts, Kept kept>
+  static int CompareCeilingsOfRow(
+    RowSampler& rays, const RayFields<SliceWindow*>& fields, int columns)
+  {
+    const RayStates states = rays.States();
+    rays.SampleExtinction(fields.extinction);
+    rays.SampleImportance(fields.importance);
+    rays.SampleLeast(fields.base);
+    const MostExtinction<float> most{ 0.4f, 120.0f };
+    const ResolveImportant<Cuts> resolve{ most };
+    const auto stepBy = [&](const auto& step)
+    {
+      for (int i = 0; i < columns; ++i)
+      {
+        states[RayChannel::Behind][i] = 0.11f * static_cast<float>(i % 9);
+        states[RayChannel::KeptBehind][i] = 0.07f * static_cast<float>(i % 11);
+        states[RayChannel::Unattenuated][i] = 0.5f;
+      }
+      rays.ForEachResolved(fields, resolve, step);
+      std::vector<std::array<float, 3>> found;
+      for (int i = 0; i < columns; ++i)
+      {
+        found.push_back({ states[RayChannel::Behind][i], states[RayChannel::KeptBehind][i],
+          states[RayChannel::Unattenuated][i] });
+      }
+      return found;
+    };
+    std::vector<Index> resolved;
+    const CeilingStep<kept> step{ states, most };
+    const auto together = stepBy(step);
+    const auto alone = stepBy(CeilingAlone<kept>{ step, &resolved });
+    for (const Index column : resolved)
+    {
+      EXPECT_EQ(together[std::size_t(column)], alone[std::size_t(column)]) << "column " << column;
+    }
+    return static_cast<int>(resolved.size());
+  }
+
   template <class Cuts, bool withEffects>
   static int CompareRow(RowSampler& rays, const RayFields<SliceWindow*>& fields, int columns)
   {
@@ -199,5 +280,21 @@ TEST(ResolvedRows, AreThoseOfEachRayAloneInScores)
   {
     EXPECT_GT((scene.Compare<FineCuts, false>(eye, true)), 1000);
     EXPECT_GT((scene.Compare<UsualCuts, false>(eye, false)), 1000);
+  }
+}
+
+TEST(ResolvedRows, AreThoseOfEachRayAloneInCeilings)
+{
+  const RandomScene scene(3);
+
+  for (const RaySource& eye : { EyeAt(-9, 12, 8), EyeAt(7, 40, 3), EyeAt(9, 9, -6) })
+  {
+    for (const bool hasLeast : { false, true })
+    {
+      EXPECT_GT((scene.CompareCeilings<UsualCuts, Kept::Ignored>(eye, hasLeast)), 1000);
+      EXPECT_GT((scene.CompareCeilings<UsualCuts, Kept::Counted>(eye, hasLeast)), 1000);
+      EXPECT_GT((scene.CompareCeilings<FineCuts, Kept::Ignored>(eye, hasLeast)), 1000);
+      EXPECT_GT((scene.CompareCeilings<FineCuts, Kept::Counted>(eye, hasLeast)), 1000);
+    }
   }
 }

@@ -12,6 +12,9 @@
 
 namespace limpid
 {
+struct RaysInLanes;
+struct RowBetweenSlices;
+
 /// Resolves the layers that would be thick at the upper bound of the extinction.
 template <class TheCuts>
 struct ResolveImportant
@@ -29,52 +32,83 @@ struct ResolveImportant
   }
 };
 
-/// A segment of a ray whose extinction may be chosen.
+/// A segment of a ray whose extinction may be chosen. `Number`: see RayPieceOf.
+template <class Number>
 struct ChosenPiece
 {
   /// A possible extinction of the segment, see RayPiece.
   struct Matter
   {
-    float opticalDepth;
-    float tilt;
+    Number opticalDepth;
+    Number tilt;
 
-    LIMPID_HD LIMPID_INLINE Matter Part(float share) const
+    LIMPID_HD LIMPID_INLINE Matter Part(const Number& share) const
     {
       return { share * this->opticalDepth, share * share * this->tilt };
     }
+
+    template <class Condition>
+    LIMPID_HD LIMPID_INLINE static Matter Chosen(
+      const Condition& condition, const Matter& one, const Matter& other)
+    {
+      return { Select(condition, one.opticalDepth, other.opticalDepth),
+        Select(condition, one.tilt, other.tilt) };
+    }
   };
 
-  RayPiece piece;
+  RayPieceOf<Number> piece;
+
+  /// The lower bound of the extinction, if there is one.
+  LIMPID_HD LIMPID_INLINE Matter Least(bool isThere) const
+  {
+    return isThere
+      ? Matter{ this->piece.keptShare * this->piece.opticalDepth, this->piece.keptTilt }
+      : Matter{ 0.0f, 0.0f };
+  }
+
+  LIMPID_HD LIMPID_INLINE Matter Base() const
+  {
+    return { this->piece.opticalDepth, this->piece.tilt };
+  }
+
+  /// The upper bound of the extinction. `length`: of the segment [length].
+  LIMPID_HD LIMPID_INLINE Matter Most(const MostExtinction<float>& most, const Number& length) const
+  {
+    return { length * most(Quotient(this->piece.opticalDepth, length)),
+      (1.0f - most.emphasis) * this->piece.tilt };
+  }
 
   /// Returns the most that the segment can show with the ceiling W behind it: with maximum
   /// extinction where g > W and minimum extinction elsewhere.
-  LIMPID_HD LIMPID_INLINE float Best(const Matter& least, const Matter& most, float behind) const
+  LIMPID_HD LIMPID_INLINE Number Best(
+    const Matter& least, const Matter& most, const Number& behind) const
   {
-    const float front = this->piece.front;
-    const float back = this->piece.back;
-    const float dense = this->Shown(most, front, back, behind);
-    const float thin = this->Shown(least, front, back, behind);
-    const float best = dense > thin ? dense : thin;
-    if (!((front - behind) * (back - behind) < 0.0f))
+    const Number front = this->piece.front;
+    const Number back = this->piece.back;
+    const Number dense = this->Shown(most, front, back, behind);
+    const Number thin = this->Shown(least, front, back, behind);
+    const Number best = Select(dense > thin, dense, thin);
+    const auto crosses = (front - behind) * (back - behind) < 0.0f;
+    if (!AnyOf(crosses))
     {
       return best;
     }
-    const float at = Quotient(behind - front, back - front); // the position where g = W
-    const bool first = front > behind;
-    const Matter& inFront = first ? most : least;
-    const Matter& inRear = first ? least : most;
-    const float rear = this->Shown(inRear.Part(1.0f - at), behind, back, behind);
-    const float both = this->Shown(inFront.Part(at), front, behind, rear);
-    return both > best ? both : best;
+    const Number at = Quotient(behind - front, back - front); // the position where g = W
+    const auto first = front > behind;
+    const Matter inFront = Matter::Chosen(first, most, least);
+    const Matter inRear = Matter::Chosen(first, least, most);
+    const Number rear = this->Shown(inRear.Part(1.0f - at), behind, back, behind);
+    const Number both = this->Shown(inFront.Part(at), front, behind, rear);
+    return Select(And(crosses, both > best), both, best);
   }
 
 private:
   /// Returns what shows if the importance changes from `front` to `back`, including what is
   /// behind.
-  LIMPID_HD LIMPID_INLINE float Shown(
-    const Matter& matter, float front, float back, float behind) const
+  LIMPID_HD LIMPID_INLINE Number Shown(
+    const Matter& matter, const Number& front, const Number& back, const Number& behind) const
   {
-    RayPiece part = this->piece;
+    RayPieceOf<Number> part = this->piece;
     part.opticalDepth = matter.opticalDepth;
     part.tilt = matter.tilt;
     part.front = front;
@@ -124,11 +158,12 @@ struct CeilingStep
     float* behind =
       kept == Kept::Counted ? this->rays[RayChannel::KeptBehind] : this->rays[RayChannel::Behind];
     float unattenuated = 0;
+    const bool hasLeast = here.fields.base != nullptr;
     ofBase.ForPiecesBackward(
       [&](const RayPiece& piece)
       {
-        const ChosenPiece::Matter base{ piece.opticalDepth, piece.tilt };
-        behind[i] = ChosenPiece{ piece }.Best(this->LeastOf(here, piece), base, behind[i]);
+        const ChosenPiece<float> chosen{ piece };
+        behind[i] = chosen.Best(chosen.Least(hasLeast), chosen.Base(), behind[i]);
         unattenuated += piece.Unattenuated();
         return true;
       });
@@ -138,29 +173,19 @@ struct CeilingStep
       here.ForPiecesBackward(
         [&](const RayPiece& piece)
         {
-          const float length = here.LengthOf(piece);
-          const ChosenPiece::Matter dense{ length *
-              this->most(Quotient(piece.opticalDepth, length)),
-            (1.0f - this->most.emphasis) * piece.tilt };
-          this->rays[RayChannel::Behind][i] = ChosenPiece{ piece }.Best(
-            this->LeastOf(here, piece), dense, this->rays[RayChannel::Behind][i]);
+          const ChosenPiece<float> chosen{ piece };
+          this->rays[RayChannel::Behind][i] = chosen.Best(chosen.Least(hasLeast),
+            chosen.Most(this->most, here.LengthOf(piece)), this->rays[RayChannel::Behind][i]);
           return true;
         });
     }
   }
 
-private:
-  template <class Sampler, class Cuts>
-  LIMPID_HD LIMPID_INLINE static ChosenPiece::Matter LeastOf(
-    const ResolvedRay<Sampler, Cuts>& here, const RayPiece& piece)
-  {
-    if (!here.fields.base)
-    {
-      return { 0.0f, 0.0f };
-    }
-    return { piece.keptShare * piece.opticalDepth, piece.keptTilt };
-  }
+  /// The same for several rays at once, with the same bits; on the processor.
+  template <class Cuts>
+  void Lanes(const RowBetweenSlices& layer, const RaysInLanes& lanes) const;
 
+private:
   template <LayerCrossing passage>
   LIMPID_HD LIMPID_INLINE void Through(const RayInLayer<passage>& here, int half, Index i) const
   {
@@ -232,6 +257,9 @@ private:
     return gain > 0.0f ? Quotient(wanted, least * (0.5f * layer.thickness * here.length)) : 0.0f;
   }
 };
+
+template <Kept kept>
+inline constexpr bool stepsLanes<CeilingStep<kept>> = true;
 
 /**
  * An upper bound of what a source sees for any extinction of the nodes within its bounds: the sum

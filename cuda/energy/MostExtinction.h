@@ -4,7 +4,7 @@
 #ifndef limpid_energy_MostExtinction_h
 #define limpid_energy_MostExtinction_h
 
-#include "math/Macros.h"
+#include "math/Number.h"
 
 namespace limpid
 {
@@ -20,11 +20,12 @@ struct MostExtinction
   Real emphasis; ///< epsilon [0, 1]
   Real majorant; ///< [1/length]
 
-  LIMPID_HD LIMPID_INLINE Real operator()(Real base) const
+  /// `Number`: Real, or several side by side.
+  template <class Number>
+  LIMPID_HD LIMPID_INLINE Number operator()(const Number& base) const
   {
-    const Real between = (Real(1) - this->emphasis) * base + this->emphasis * this->majorant;
-    const Real most = between > base ? between : base;
-    return most < this->majorant ? most : this->majorant;
+    const Number between = (Real(1) - this->emphasis) * base + this->emphasis * this->majorant;
+    return AtMost(Select(between > base, between, base), this->majorant);
   }
 };
 }

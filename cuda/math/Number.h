@@ -23,6 +23,11 @@ LIMPID_HD LIMPID_INLINE float Select(bool condition, float one, float other)
   return condition ? one : other;
 }
 
+LIMPID_HD LIMPID_INLINE double Select(bool condition, double one, double other)
+{
+  return condition ? one : other;
+}
+
 LIMPID_HD LIMPID_INLINE std::int32_t Select(bool condition, std::int32_t one, std::int32_t other)
 {
   return condition ? one : other;

@@ -307,6 +307,11 @@ private:
   }
 };
 
+/// Whether a step moves several rays at once through resolved layers, on the processor:
+/// Lanes<Cuts>(RowBetweenSlices, RaysInLanes) changes the states of all of them.
+template <class Step>
+constexpr bool stepsLanes = false;
+
 /// Whether a step needs LayerEffect of resolved layers.
 template <class Step>
 constexpr bool findsEffects = false;

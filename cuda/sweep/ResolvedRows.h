@@ -22,17 +22,29 @@ struct RaysInLanes
 
   int count = 0;
   int column[most];
+  float sampled[most]; ///< see ResolvedRay [1/length]
   float densest[most]; ///< see ResolvedRay [1/length]
   float behind[most];  ///< visible importance behind; needed for effects
   LayerLight light[most];
   LayerEffect effect[most];
 
-  void Add(int ofColumn, float densestThere, float behindThere)
+  void Add(int ofColumn, float sampledThere, float densestThere, float behindThere)
   {
     this->column[this->count] = ofColumn;
+    this->sampled[this->count] = sampledThere;
     this->densest[this->count] = densestThere;
     this->behind[this->count] = behindThere;
     ++this->count;
+  }
+
+  /// Gives lanes without a ray the first one, whose values are not used.
+  void FillRest()
+  {
+    for (int lane = this->count; lane < most; ++lane)
+    {
+      this->column[lane] = this->column[0];
+      this->behind[lane] = 0;
+    }
   }
 };
 
@@ -52,7 +64,7 @@ struct RowBetweenSlices
   const RayRow& rays;
   RayFields<SliceWindow*> fields;
 
-  /// Computes the light of the given rays, and the effects.
+  /// Computes the light of the given rays, and the effects. After FillRest.
   template <class Cuts, Effects effects>
   void FindLight(RaysInLanes& lanes) const;
 

@@ -305,7 +305,7 @@ private:
     float* blend[2];
     float* lesser[2][2]; ///< rows of voxels, see RowsOfLesser
     float* densest;      ///< see FindResolved
-    float* important;    ///< largest importance in the layer
+    float* important;    ///< largest importance in the layer; see FindResolved
   };
 
   /// Returns the longest path of the given rays through the layer [length].
@@ -314,13 +314,13 @@ private:
   /// Returns whether any of the given rays has an extinction sample above a bound.
   bool HasAbove(const Range<int>& columns, float bound) const;
 
-  /// Calls step for the given rays, with the resolved layer where it is resolved: a LitRay if the
-  /// step accepts one, a ResolvedRay otherwise.
+  /// Calls step for the given rays, with the resolved layer where it is resolved: several rays at
+  /// once (stepsLanes), a LitRay if the step accepts one, a ResolvedRay otherwise.
   template <LayerCrossing passage, class Resolve, class Step>
   void StepWhere(const Range<int>& columns, const RayFields<Field>& fields, const Resolve& resolve,
     const Step& step) const
   {
-    if constexpr (std::is_invocable_v<Step, const LitRay&, Index>)
+    if constexpr (stepsLanes<Step> || std::is_invocable_v<Step, const LitRay&, Index>)
     {
       this->StepInLanes<passage>(columns, fields, resolve, step);
     }
@@ -357,30 +357,43 @@ private:
     this->StepPlain<passage>({ begin, columns.end }, step);
   }
 
-  /// Calls step for the given rays, with a LitRay where the layer is resolved.
+  /// Calls step for the given rays, with several rays or a LitRay where the layer is resolved.
   template <LayerCrossing passage, class Resolve, class Step>
   void StepInLanes(const Range<int>& columns, const RayFields<Field>& fields,
     const Resolve& resolve, const Step& step) const
   {
-    constexpr Effects effects = findsEffects<Step> ? Effects::Found : Effects::Ignored;
+    using Cuts = typename Resolve::Cuts;
     const RowBetweenSlices layer{ this->Frustum, this->S, this->RowNumber, this->Rays, fields };
     const float* densest = this->FindResolved(columns, layer, resolve);
+    const float* sampled = this->Samples.important;
     const float* behind = this->States()[RayChannel::Behind];
     RaysInLanes lanes;
     int begin = columns.begin;
     const auto stepAll = [&]
     {
-      if (lanes.count > 0)
+      if (lanes.count == 0)
       {
-        layer.FindLight<typename Resolve::Cuts, effects>(lanes);
+        return;
+      }
+      lanes.FillRest();
+      if constexpr (stepsLanes<Step>)
+      {
+        step.template Lanes<Cuts>(layer, lanes);
+      }
+      else
+      {
+        layer.FindLight<Cuts, findsEffects<Step> ? Effects::Found : Effects::Ignored>(lanes);
       }
       for (int lane = 0; lane < lanes.count; ++lane)
       {
         const int i = lanes.column[lane];
         this->StepPlain<passage>({ begin, i }, step);
-        const RayInLayer<LayerCrossing::Clipped> ray =
-          this->Rays.template At<LayerCrossing::Clipped>(i);
-        step(LitRay{ ray, lanes.light[lane], lanes.effect[lane] }, i);
+        if constexpr (!stepsLanes<Step>)
+        {
+          const RayInLayer<LayerCrossing::Clipped> ray =
+            this->Rays.template At<LayerCrossing::Clipped>(i);
+          step(LitRay{ ray, lanes.light[lane], lanes.effect[lane] }, i);
+        }
         begin = i + 1;
       }
       lanes.count = 0;
@@ -389,7 +402,7 @@ private:
     {
       if (densest[i] >= 0.0f)
       {
-        lanes.Add(i, densest[i], behind[i]);
+        lanes.Add(i, sampled[i], densest[i], behind[i]);
         if (lanes.count == RaysInLanes::most)
         {
           stepAll();
@@ -401,7 +414,7 @@ private:
   }
 
   /// Finds the rays whose layers are resolved, see StepResolved. Returns their densest extinction,
-  /// and -1 for all others.
+  /// and -1 for all others. Their largest samples are then in Samples.important [1/length].
   template <class Resolve>
   const float* FindResolved(
     const Range<int>& columns, const RowBetweenSlices& layer, const Resolve& resolve) const
@@ -431,6 +444,7 @@ private:
         const bool thick =
           most * ray.layer.thickness * ray.length > Cuts::thick && resolve.Reaches(i);
         const bool lit = important[i] > 0.0f && !ray.StaysOutside();
+        important[i] = densest[i];
         densest[i] = lit && (!inside || thick) ? most : -1.0f;
       });
     return densest;
