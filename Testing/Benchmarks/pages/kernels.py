@@ -5,7 +5,7 @@
 
 import re
 
-from markdown import NOISY, fixed, head, ms, noise, percent, plural, significant, sizes, table
+from markdown import fixed, head, ms, noise, percent, plural, significant, sizes, table
 
 UNITS = {"ns": 1e-9, "us": 1e-6, "ms": 1e-3, "s": 1.0}
 STREAMS = ("read", "copy", "triad", "memcpy")
@@ -150,7 +150,7 @@ Bytes are those that a kernel reads and writes, each array once.
 def page(measured):
     kinds = gather(measured)
     results = iterations(measured)
-    warning = noise([r["spread"] for r in results], NOISY)
+    warning = noise([r["spread"] for r in results])
     return (head("Kernels", measured) + ("\n" + warning[:-1] if warning else "")
             + streams_section(kinds["stream"]) + floors_section(results)
             + kernels_section(kinds["kernel"]))

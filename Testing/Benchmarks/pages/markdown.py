@@ -5,7 +5,7 @@
 
 import math
 
-NOISY = 0.25  # spread above which times are preliminary
+NOISY = 0.25  # spread above which a median is less certain
 BUSY = 0.25  # load per core before the start, above which times are preliminary
 
 # The day on which times and results of runs last changed by more than rounding: rays across long
@@ -65,11 +65,12 @@ def table(rows, columns):
 
 
 def noise(spreads, limit=NOISY):
-    """A warning if times lie far apart."""
-    if max(spreads, default=0) <= limit:
+    """Says in how many rows times lie far apart, if in any."""
+    apart = sum(spread > limit for spread in spreads)
+    if not apart:
         return ""
-    return ("**The machine was busy during the measurement (a spread above "
-            f"{percent(limit)}): all times are preliminary.**\n\n")
+    return (f"In {apart} of {len(spreads)} rows, times differ by more than {percent(limit)}. One slow "
+            "run is enough for that; the median hardly depends on it.\n\n")
 
 
 def age_of(date):

@@ -4,10 +4,9 @@
 """Limpid beside others' programs: pictures, values and gradients."""
 
 import peers_pictures
-from markdown import deviation, fixed, head, percent, plural, significant, table
+from markdown import deviation, fixed, head, noise, percent, plural, significant, table
 
 COMMAND = "bash Testing/Benchmarks/peers/run.sh"
-NOISY = 0.2  # spread of a program's times above which they are preliminary
 DIRECTIONS = ("important", "unimportant", "wave")
 TIMES = ("value_cpu", "gradient_cpu")
 CAMERA = """
@@ -113,10 +112,7 @@ def span(values):
 
 def device_section(name, results):
     text = f"\n### {name}\n{time_table(results)}"
-    spread = max(row["gradient_spread"] for row in rows_of(results))
-    if spread > NOISY:
-        text += (f"**Times of the same evaluation differed by up to {percent(spread)}: the machine "
-                 "was busy, and the times are preliminary.**\n\n")
+    text += noise([row["gradient_spread"] for row in rows_of(results)], 0.2)
     if results[0]["device"] != "cpu":
         return text + "Limpid on this device: not measured.\n"
     if not any("PyTorch" in row["program"] for row in rows_of(results)):

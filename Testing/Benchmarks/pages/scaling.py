@@ -5,7 +5,7 @@
 
 import math
 
-from markdown import NOISY, fixed, head, mebibytes, ms, percent, significant, sizes, table
+from markdown import fixed, head, mebibytes, ms, noise, percent, significant, sizes, table
 from solvers import READY, WHOLE, off_and_on, spread
 
 STEPS = ("setup", "first pass", "policy iteration", "Adam iteration", "score of a direction")
@@ -139,11 +139,13 @@ of each:
         ("spread", lambda r: percent(spread(r)))])
 
 
-def is_noisy(measured):
-    return (any(e["side"] >= 128 and e["spread"]["policy iteration"] > NOISY
-                for e in measured["sizes"])
-            or any(r["cores"] < 0.9 * r["times"][-1]["threads"] for r in measured["threads"])
-            or any(spread(r) > NOISY for r in measured["skips"]))
+def spreads(measured):
+    return ([e["spread"]["policy iteration"] for e in measured["sizes"] if e["side"] >= 128]
+            + [spread(r) for r in measured["skips"]])
+
+
+def lacks_cores(measured):
+    return any(r["cores"] < 0.9 * r["times"][-1]["threads"] for r in measured["threads"])
 
 
 def page(measured):
@@ -152,11 +154,10 @@ Onion is a core in a shell, and the corners of the box are empty. Dense is the s
 leaves no voxel empty. The core is important. With skips off, voxels that the scene does not need are \
 also computed, as if everything were important.
 """
-    if is_noisy(measured):
-        text += """
-**The machine was busy during the measurement (a spread above 25 %, or fewer cores than threads): all \
-times are preliminary.**
-"""
+    if warning := noise(spreads(measured)):
+        text += "\n" + warning[:-1]
+    if lacks_cores(measured):
+        text += "\n**There were fewer cores than threads: times are preliminary.**\n"
     parts = (("sizes", sizes_section), ("memory", memory_section), ("threads", threads_section),
              ("skips", skips_section))
     return text + "".join(section(measured) for part, section in parts if measured[part])

@@ -9,7 +9,7 @@
 # says here and on the page:
 #   vdb_render  Debian's libopenvdb-tools and python3-openvdb
 #   PyTorch     pip's torch and numpy, in a virtual environment in build/peers (or PEERS_PYTHON)
-#   Mitsuba 3   pip's mitsuba and numpy there, and LLVM 16 or later, such as Debian's libllvm19
+#   Mitsuba 3   pip's mitsuba and numpy there, and LLVM 19 (16 was seen to fail), such as Debian's libllvm19
 #   another VTK pip's vtk and numpy there
 # --quick: small and few, to see whether it works. FOLDERs: with the programs (build), for the page
 # (Documentation/Benchmarks). Takes half an hour on two cores.
@@ -76,10 +76,10 @@ elif [[ -z "${DRJIT_LIBLLVM_PATH:-}" ]]; then
   # Mitsuba takes the first LLVM that it finds, and ends with a message of an older one's.
   newest="$(ls /usr/lib/*/libLLVM*.so* /usr/lib/llvm-*/lib/libLLVM*.so* 2> /dev/null |
     sed -nE 's/.*libLLVM(-|\.so\.)([0-9]+).*/\2 &/p' | sort -n | tail -1 || true)"
-  if ((${newest%% *} >= 16)); then
+  if ((${newest%% *} >= 19)); then
     export DRJIT_LIBLLVM_PATH="${newest#* }"
   else
-    lacks "Mitsuba 3" "apt-get install libllvm19 (it needs LLVM 16 or later)"
+    lacks "Mitsuba 3" "apt-get install libllvm19 (it needs LLVM 19; 16 was seen to fail)"
     without+=(mitsuba)
   fi
 fi
