@@ -471,7 +471,8 @@ public:
 
   /**
    * Whether scores and fractions were measured for the last frame. If so, zero means that nothing
-   * important is in view; if not, they are zero because they are unknown.
+   * important is in view; if not, they are zero because they are unknown. Without optimization they
+   * are not measured if importance is not specified and no frame before has assumed it.
    */
   bool GetMeasured() const;
 

@@ -81,7 +81,7 @@ struct vtkTransmittanceVolumeMapper::Internals
   };
   limpid::ImportanceChoice ChooseImportance(
     vtkImageData* image, const limpid::FieldSource& scalars) const;
-  void AssumeImportance(vtkImageData* image, limpid::ImportanceChoice& choice);
+  bool AssumeImportance(vtkImageData* image, limpid::ImportanceChoice& choice);
   Importance ImportanceOf(vtkImageData* image, const limpid::ImportanceChoice& choice);
   limpid::FieldSource GivenImportance(vtkImageData* image) const;
   void UpdateImportance(
@@ -113,6 +113,7 @@ struct vtkTransmittanceVolumeMapper::Internals
   limpid::ImportanceRamp Ramp;                 ///< the assumption if importance is not specified
   std::pair<vtkMTimeType, int> RampOf{ 0, 0 }; ///< scalars: time and component
   vtkTimeStamp RampTime;                       ///< when Ramp was computed
+  bool UsesImportance = false; ///< whether a frame has needed importance for more than scores
   limpid::VolumeData Data;
   std::vector<std::unique_ptr<limpid::VolumeView>> Views;
   limpid::FrameResult Last;            ///< result of the last frame, in any view

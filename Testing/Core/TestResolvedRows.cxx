@@ -139,7 +139,7 @@ struct RandomScene
     return this->ForRows(source, countsKept, CompareRow<Cuts, withEffects>);
   }
 
-  /// The same for ceilings.
+  /// Compares ceilings likewise.
   template <class Cuts, Kept kept>
   int CompareCeilings(const RaySource& source, bool hasLeast) const
   {

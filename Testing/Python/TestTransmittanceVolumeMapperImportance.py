@@ -101,6 +101,28 @@ class TestImportance(MapperTest):
         self.assertEqual(mapper.GetMessages(), "", "nothing is made of it but the score")
         self.assertGreater(mapper.GetVisibilityScore(), 0)
 
+    def test_nothing_is_assumed_for_a_score_that_nobody_asks_for(self):
+        image = phantom(16)
+        image.GetPointData().RemoveArray("Importance")
+        view, mapper = show(image, Optimization=0)
+        view.window.Render()
+        self.assertFalse(mapper.GetMeasured())
+        self.assertEqual(mapper.GetVisibilityScore(), 0)
+        plain = view.pixels()
+
+        mapper.SetShowMissed(1)
+        view.window.Render()
+        mapper.SetShowMissed(0)
+        view.window.Render()
+        self.assertTrue(mapper.GetMeasured(), "it is there now")
+        self.assertGreater(mapper.GetVisibilityScore(), 0)
+        np.testing.assert_array_equal(view.pixels(), plain)
+
+        asked, mapper = show(image, Optimization=0, UseImportanceFunction=1,
+                             ImportanceFunction=opacity_of((0.6, 0), (0.8, 1)))
+        asked.window.Render()
+        self.assertTrue(mapper.GetMeasured())
+
     def test_filter_search_and_mapper_assume_the_same(self):
         image = phantom(24)
         image.GetPointData().RemoveArray("Importance")

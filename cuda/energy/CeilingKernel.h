@@ -181,7 +181,7 @@ struct CeilingStep
     }
   }
 
-  /// The same for several rays at once, with the same bits; on the processor.
+  /// Moves several rays at once, with the same bits; on the processor.
   template <class Cuts>
   void Lanes(const RowBetweenSlices& layer, const RaysInLanes& lanes) const;
 
