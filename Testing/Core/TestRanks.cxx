@@ -15,7 +15,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cstddef>
 #include <cstring>
 #include <functional>
 #include <limits>
@@ -58,9 +57,9 @@ protected:
 
   /// Whether an arrangement on ranks is tried: a third of them unless all are wanted (OneOf),
   /// others for other scenes. `indices`: the sum of those of its loops.
-  static bool Tries(std::size_t indices)
+  static bool Tries(int indices)
   {
-    return (indices + std::strlen(GetParam().name)) % std::size_t(OneOf(3)) == 0;
+    return (indices + static_cast<int>(std::strlen(GetParam().name))) % OneOf(3) == 0;
   }
 };
 
@@ -121,10 +120,10 @@ TEST_P(SharedScene, HasTheSameBitsOnAnyNumberOfRanks)
   for (const FieldPlaces places : placesOfFields)
   {
     scene.places = places;
-    std::size_t number = 0;
+    int number = 0;
     for (const int ranks : { 1, 2, 3, 4, 8 })
     {
-      if (Tries(std::size_t(places) + number++))
+      if (Tries(int(places) + number++))
       {
         SCOPED_TRACE(::testing::Message() << ranks << " ranks, places " << int(places));
         ExpectSame(alone, OptimizedBy(ranks, scene, Slabs(scene.grid.nodes, ranks % 3, ranks)));
@@ -143,7 +142,7 @@ TEST_P(SharedScene, DoesNotDependOnThePieces)
     {
       for (const int more : { 0, 1, 2 })
       {
-        if (Tries(std::size_t(axis + empty + more)))
+        if (Tries(axis + empty + more))
         {
           SCOPED_TRACE(::testing::Message() << axis << empty << more);
           ExpectSame(alone, OptimizedBy(3, scene, Slabs(scene.grid.nodes, axis, 3, empty, more)));

@@ -205,6 +205,7 @@ private:
       }
       rays.ForEachResolved(fields, resolve, step);
       std::vector<std::array<float, 3>> found;
+      found.reserve(static_cast<std::size_t>(columns));
       for (int i = 0; i < columns; ++i)
       {
         found.push_back({ states[RayChannel::Behind][i], states[RayChannel::KeptBehind][i],
