@@ -206,8 +206,8 @@ std::optional<limpid::TargetsFound> vtkExtinctionOptimizer::Internals::MeetTarge
   std::vector<float> importance(fields.importance, fields.importance + fields.ValueCount());
   fields.importance = fields.despeckled = importance.data();
   const limpid::LabelledScene labelled{ fields, importance.data(), *scene.structures, rows.data() };
-  limpid::TargetsFound found =
-    limpid::MeetTargets(labelled, this->LastChange, this->MakeProgress(), solver);
+  limpid::TargetsFound found = limpid::MeetTargets(labelled, this->LastChange,
+    controlled.OfSolver(this->MakeProgress(), solver->Options()), solver);
   limpid::FillImportance(
     found.structures, ofData, scene.Fields().ValueCount(), scene.arrays.importance->GetPointer(0));
   controlled.PrepareData(scene.Fields());

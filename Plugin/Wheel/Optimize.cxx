@@ -270,6 +270,7 @@ nb::dict Optimize(const Grid& grid, const Field& extinction, const Field& import
   if (isSwept)
   {
     SetScores(results, swept.base, swept.result, swept.ceiling);
+    results["seconds"] = nb::cast<double>(results["seconds"]) + swept.seconds;
   }
   if (!change.ofExtinction.empty())
   {

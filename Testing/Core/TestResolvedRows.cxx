@@ -77,10 +77,7 @@ struct RecordAlone
     one.light = withEffects ? here.Light(this->behind, one.effect) : here.Light();
   }
 };
-}
 
-namespace
-{
 /// Moves each ray alone, and records those whose layers are resolved.
 template <Kept kept>
 struct CeilingAlone
