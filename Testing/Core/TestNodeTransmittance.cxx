@@ -6,6 +6,7 @@
 #include "BoxScene.h"
 #include "Tolerance.h"
 
+#include "backend/HostDevice.h"
 #include "energy/NodeTransmittance.h"
 
 #include <gtest/gtest.h>
@@ -174,6 +175,69 @@ TEST(NodeRays, FindInPartsWhatTheyFindInOne)
             node, extinction, { upper * cut, cut + upper * (scene.grid.nodes - 1 - cut) }, all);
         }
         ASSERT_EQ(sum, whole) << i << ' ' << j << ' ' << k;
+      });
+  }
+}
+
+// On the processor sixteen nodes of a row are refined side by side; ranks refine one at a time.
+TEST(NodeRays, FindSideBySideWhatTheyFindAlone)
+{
+  for (const int shape : { 0, 3 })
+  {
+    const BoxScene scene = SceneOf(shapes[shape], 3);
+    const FieldWithin extinction{ scene.extinction.data(), NodesWithin::Whole(scene.grid) };
+    const auto all = [](const Int3&) { return true; };
+    std::vector<float> steep(scene.extinction.size());
+    scene.ForEachNode(
+      [&](std::size_t node, int i, int, int) { steep[node] = i % 2 == 0 ? 1.0f : 0.0f; });
+    for (const Vec3& from :
+      { Vec3(-9, 30, 5), Vec3(3.2, 9.1, 4.4), Vec3(8.0), Vec3(1e6, 2e5, -3e5) })
+    {
+      RaySource source;
+      source.origin = from;
+      std::vector<float> refined(steep.size());
+
+      RefineTransmittance(*HostDevice::Shared(), scene.grid, source, scene.extinction.data(),
+        steep.data(), refined.data());
+
+      const NodeRays rays(scene.grid, source);
+      scene.ForEachNode(
+        [&](std::size_t node, int i, int j, int k)
+        {
+          const WholeDepth depth =
+            rays.DepthTo({ i, j, k }, extinction, NodesWithin::CellsOf(scene.grid), all);
+          ASSERT_EQ(refined[node], TransmittanceOf(depth)) << i << ' ' << j << ' ' << k;
+        });
+    }
+  }
+}
+
+TEST(NodeRays, AreExactInLongImagesAndFromFarAway)
+{
+  BoxScene scene(Int3(2000, 3, 4), Vec3(0.0), Vec3(1.0));
+  scene.Fill(Everywhere(0.002), Everywhere(0.5));
+  const FieldWithin extinction{ scene.extinction.data(), NodesWithin::Whole(scene.grid) };
+  for (const double distance : { 3e3, 1e6, 1e9 })
+  {
+    RaySource source;
+    source.origin = distance * Vec3(1, 0.0004, 0.0003);
+    const NodeRays rays(scene.grid, source);
+    scene.ForEachNode(
+      [&](std::size_t, int i, int j, int k)
+      {
+        const Vec3 node(i, j, k);
+        const Vec3 way = source.origin - node;
+        double leaves = 1;
+        for (int axis = 0; axis < 3; ++axis)
+        {
+          const double last = way[axis] > 0 ? scene.grid.nodes[axis] - 1 : 0;
+          leaves = std::min(leaves, (last - node[axis]) / way[axis]);
+        }
+        const WholeDepth depth = rays.DepthTo({ i, j, k }, extinction,
+          NodesWithin::CellsOf(scene.grid), [](const Int3&) { return true; });
+        // Half a unit in each of 2000 cells is 3e-5 in the worst case, where T is 0.02.
+        ASSERT_NEAR(TransmittanceOf(depth), std::exp(-0.002 * leaves * glm::length(way)), 1e-5)
+          << distance << ' ' << i << ' ' << j << ' ' << k;
       });
   }
 }

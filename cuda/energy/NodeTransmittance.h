@@ -6,17 +6,19 @@
 #ifndef limpid_energy_NodeTransmittance_h
 #define limpid_energy_NodeTransmittance_h
 
+#include "energy/NodePath.h"
 #include "math/Number.h"
 #include "math/Vec.h"
 #include "scene/Grid.h"
 #include "scene/RaySource.h"
-#include "sweep/HalfLayer.h"
 
 #include <cmath>
 #include <cstdint>
 
 namespace limpid
 {
+class HostDevice;
+
 /// Whether the transmittance of neighbouring nodes, from `least` to `most`, varies so much that it
 /// may jump between the rays of a sweep: by 0.1 where it is bright, by less where light shines
 /// through gaps. With this limit the error at opaque blocks, shells, sheets and waves is within
@@ -26,19 +28,12 @@ LIMPID_HD LIMPID_INLINE bool IsSteep(float least, float most)
   return (most - least) * (most - least) > 0.01f * most;
 }
 
-/// An optical depth as an integer, so that sums do not depend on their order.
-using WholeDepth = std::int64_t;
-constexpr double unitsOfDepth = 1LL << 40;
-
-/// At an optical depth of 24, transmittance is negligible compared to 1 in single precision.
-constexpr WholeDepth darkWholeDepth = 24 * (1LL << 40);
-
 /// Returns exp(-depth), or 0 beyond darkWholeDepth.
-LIMPID_HD inline float TransmittanceOf(WholeDepth depth)
+LIMPID_HD inline float TransmittanceOf(std::int64_t depth)
 {
   return depth >= darkWholeDepth
     ? 0.0f
-    : static_cast<float>(std::exp(-static_cast<double>(depth) / unitsOfDepth));
+    : static_cast<float>(std::exp(-static_cast<double>(depth) / double(unitsOfDepth)));
 }
 
 /// A box of nodes of a grid, for kernels: `begin` is the first node and `end` one past the last
@@ -101,10 +96,7 @@ struct FieldWithin
   }
 };
 
-/**
- * The optical depth between a node and a source of rays, Eq. (15), exact up to rounding: within a
- * cell a trilinear extinction is cubic along a ray, and two Gauss points integrate it exactly.
- */
+/// The rays of a source to the nodes of a grid.
 class NodeRays
 {
 public:
@@ -123,167 +115,119 @@ public:
     return inView;
   }
 
-  /// Returns the optical depth of some cells, given by their first nodes; values beyond
+  /// Returns the part of the path from a node to the source that is in a box of cells, given by
+  /// their first nodes.
+  LIMPID_HD NodePath<float> PathFrom(const Int3& node, const NodesWithin& cells) const
+  {
+    const Vec3 way = this->Parallel ? -this->Origin : this->Origin - Vec3(node);
+    NodePath<float> path;
+    path.length = static_cast<float>(glm::length(way * this->Spacing));
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      path.node[axis] = static_cast<float>(node[axis]);
+      path.way[axis] = static_cast<float>(way[axis]);
+      path.slowness[axis] = 1.0f / path.way[axis];
+      path.onward[axis] = path.way[axis] > 0.0f ? 1 : path.way[axis] < 0.0f ? -1 : 0;
+      path.cell[axis] = glm::min(node[axis], this->LastCell[axis]);
+      path.face[axis] = HUGE_VALF;
+    }
+    Enter(path, cells, this->Parallel ? HUGE_VALF : 1.0f);
+    return path;
+  }
+
+  /// Returns the optical depth of some cells between a node and the source, Eq. (15); values beyond
   /// darkWholeDepth may be too small. `counts(cell)`: whether a cell is included. The field must
   /// contain the nodes of all included cells.
   template <class Counts>
   LIMPID_HD WholeDepth DepthTo(const Int3& node, const FieldWithin& extinction,
     const NodesWithin& cells, const Counts& counts) const
   {
-    Walk walk(node, this->Parallel ? -this->Origin : this->Origin - Vec3(node), this->LastCell);
-    const double end = walk.EndOf(cells, this->Parallel ? HUGE_VAL : 1.0);
-    const double length = glm::length(walk.way * this->Spacing);
-    WholeDepth depth = 0;
-    double at = walk.Enter(cells);
-    while (at < end && depth < darkWholeDepth)
-    {
-      const int axis = walk.NextAxis();
-      const double next = glm::min(walk.face[axis], end);
-      if (next > at && counts(walk.cell)) // it may cross several faces at once
-      {
-        const double here = MeanAlong(extinction, walk, at, next) * (next - at) * length;
-        depth += static_cast<WholeDepth>(
-          glm::min(double(darkWholeDepth), here * unitsOfDepth + 0.5)); // limits overflow, too
-      }
-      walk.Cross(axis);
-      at = next;
-    }
-    return depth;
+    return this->PathFrom(node, cells).Depth(CornersInField<Counts>{ extinction, counts });
   }
 
 private:
-  /// A path from a node through the cells of the grid: node + t way.
-  struct Walk
+  /// Reads the corners of cells that count.
+  template <class Counts>
+  struct CornersInField
   {
-    Vec3 node;
-    Vec3 way;
-    Vec3 slowness; ///< 1 / way
-    Int3 onward;   ///< step from cell to cell along each axis: 1, -1 or 0
-    Int3 cell;
-    double face[3]; ///< t at which the path leaves the cell along each axis
+    const FieldWithin& extinction;
+    const Counts& counts;
 
-    LIMPID_HD Walk(const Int3& from, const Vec3& along, const Int3& lastCell)
-      : node(from)
-      , way(along)
-      , slowness(1.0 / along)
-      , onward(glm::sign(along))
-      , cell(glm::min(from, lastCell))
-      , face{ HUGE_VAL, HUGE_VAL, HUGE_VAL }
+    LIMPID_HD LIMPID_INLINE bool Read(
+      const std::int32_t (&cell)[3], bool, CellCorners<float>& corners) const
     {
-    }
-
-    /// t at which the path meets a plane of nodes.
-    LIMPID_HD double At(int axis, int plane) const
-    {
-      return (double(plane) - this->node[axis]) * this->slowness[axis];
-    }
-
-    /// t at which the path leaves a cell along an axis.
-    LIMPID_HD double FaceOf(int axis, int cellThere) const
-    {
-      return this->At(axis, cellThere + (this->onward[axis] > 0 ? 1 : 0));
-    }
-
-    /// t at which the path leaves a box of cells, given by their first nodes, but at most `last`.
-    LIMPID_HD double EndOf(const NodesWithin& cells, double last) const
-    {
-      double end = last;
-      for (int axis = 0; axis < 3; ++axis)
+      const Int3 first(cell[0], cell[1], cell[2]);
+      if (!this->counts(first))
       {
-        if (this->onward[axis] != 0)
+        return false;
+      }
+      const Int3 size = this->extinction.box.end - this->extinction.box.begin;
+      const float* slice = this->extinction.values + this->extinction.At(first);
+      float most = 0.0f;
+      for (auto& rows : corners.at)
+      {
+        const float* row = slice;
+        for (auto& nodes : rows)
         {
-          end = glm::min(
-            end, this->At(axis, this->onward[axis] > 0 ? cells.end[axis] : cells.begin[axis]));
+          nodes[0] = row[0];
+          nodes[1] = row[1];
+          most = AtLeast(most, AtLeast(row[0], row[1]));
+          row += size.x;
         }
-        else if (this->cell[axis] < cells.begin[axis] || this->cell[axis] >= cells.end[axis])
-        {
-          return 0;
-        }
+        slice += Index(size.x) * size.y;
       }
-      return end;
-    }
-
-    /// Moves to where the path enters a box of cells, and returns t there.
-    LIMPID_HD double Enter(const NodesWithin& cells)
-    {
-      double at = 0;
-      for (int axis = 0; axis < 3; ++axis)
-      {
-        const int first = this->onward[axis] > 0 ? cells.begin[axis] : cells.end[axis];
-        if (this->onward[axis] * (first - this->node[axis]) > 0)
-        {
-          at = glm::max(at, this->At(axis, first));
-        }
-      }
-      for (int axis = 0; axis < 3; ++axis)
-      {
-        this->Locate(axis, at);
-      }
-      return at;
-    }
-
-    /// Finds the cell along an axis just behind `at`, consistently with Cross.
-    LIMPID_HD void Locate(int axis, double at)
-    {
-      int& here = this->cell[axis];
-      if (this->onward[axis] == 0)
-      {
-        return;
-      }
-      here = static_cast<int>(std::floor(this->node[axis] + at * this->way[axis]));
-      while (this->FaceOf(axis, here - this->onward[axis]) > at)
-      {
-        here -= this->onward[axis];
-      }
-      while (this->FaceOf(axis, here) <= at)
-      {
-        here += this->onward[axis];
-      }
-      this->face[axis] = this->FaceOf(axis, here);
-    }
-
-    /// The axis along which the path meets a face next.
-    LIMPID_HD int NextAxis() const
-    {
-      const int first = this->face[0] <= this->face[1] ? 0 : 1;
-      return this->face[first] <= this->face[2] ? first : 2;
-    }
-
-    LIMPID_HD void Cross(int axis)
-    {
-      this->cell[axis] += this->onward[axis];
-      this->face[axis] = this->FaceOf(axis, this->cell[axis]);
+      return most > 0.0f;
     }
   };
 
-  /// Returns the mean extinction between two points of the path in a cell [1/length].
-  LIMPID_HD static double MeanAlong(
-    const FieldWithin& extinction, const Walk& walk, double begin, double end)
+  /// Moves a path to where it enters a box of cells, and lets it end where it leaves the box, but
+  /// not behind `last`.
+  LIMPID_HD static void Enter(NodePath<float>& path, const NodesWithin& cells, float last)
   {
-    const Int3 size = extinction.box.end - extinction.box.begin;
-    const Index row = size.x;
-    const Index slice = row * size.y;
-    const float* front = extinction.values + extinction.At(walk.cell);
-    const float* back = front + slice;
-    const float most =
-      AtLeast(AtLeast(AtLeast(front[0], front[1]), AtLeast(front[row], front[row + 1])),
-        AtLeast(AtLeast(back[0], back[1]), AtLeast(back[row], back[row + 1])));
-    if (!(most > 0.0f))
+    path.at = 0.0f;
+    path.end = last;
+    for (int axis = 0; axis < 3; ++axis)
     {
-      return 0;
+      const int onward = path.onward[axis];
+      const int first = onward > 0 ? cells.begin[axis] : cells.end[axis];
+      if (onward == 0)
+      {
+        const bool beside =
+          path.cell[axis] < cells.begin[axis] || path.cell[axis] >= cells.end[axis];
+        path.end = beside ? 0.0f : path.end;
+        continue;
+      }
+      path.end = AtMost(path.end, path.At(axis, onward > 0 ? cells.end[axis] : cells.begin[axis]));
+      if (float(onward) * (float(first) - path.node[axis]) > 0.0f)
+      {
+        path.at = AtLeast(path.at, path.At(axis, first));
+      }
     }
-    constexpr double shares[2] = { gaussPoints[0], gaussPoints[1] };
-    float sum = 0;
-    for (int half = 0; half < 2; ++half)
+    for (int axis = 0; axis < 3; ++axis)
     {
-      const double at = begin + shares[half] * (end - begin);
-      const glm::vec3 place = walk.node + at * walk.way - Vec3(walk.cell);
-      const auto along = [&](const float* edge) { return edge[0] + place.x * (edge[1] - edge[0]); };
-      const auto across = [&](const float* side)
-      { return along(side) + place.y * (along(side + row) - along(side)); };
-      sum += AtLeast(across(front) + place.z * (across(back) - across(front)), 0.0f);
+      Locate(path, axis);
     }
-    return 0.5 * double(sum);
+  }
+
+  /// Finds the cell along an axis just behind where a path is, consistently with its crossings.
+  LIMPID_HD static void Locate(NodePath<float>& path, int axis)
+  {
+    const int onward = path.onward[axis];
+    if (onward == 0 || !(path.at < path.end))
+    {
+      return;
+    }
+    int& here = path.cell[axis];
+    here = static_cast<int>(std::floor(path.node[axis] + path.at * path.way[axis]));
+    while (path.FaceOf(axis, here - onward) > path.at)
+    {
+      here -= onward;
+    }
+    while (!(path.FaceOf(axis, here) > path.at))
+    {
+      here += onward;
+    }
+    path.face[axis] = path.FaceOf(axis, here);
   }
 
   bool Parallel;
@@ -298,6 +242,8 @@ private:
 /// steep, along their own rays. All arrays hold one value per node on the device.
 template <class AnyDevice>
 void RefineTransmittance(AnyDevice& device, const Grid& grid, const RaySource& source,
+  const float* extinction, const float* swept, float* transmittance);
+void RefineTransmittance(HostDevice& device, const Grid& grid, const RaySource& source,
   const float* extinction, const float* swept, float* transmittance);
 }
 

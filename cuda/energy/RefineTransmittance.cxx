@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Limpid developers
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Compiled for each device, see CompiledDevice.h.
+// Compiled for GPUs; RefineRows.cxx is for the processor.
 
 #include "energy/NodeTransmittance.h"
 

@@ -184,7 +184,7 @@ void RefineTransmittanceOnRanks(const Grid& grid, const ScenePiece& piece, const
     const std::size_t begin = std::min(done, steep.size());
     const std::size_t count = std::min(steep.size() - begin, nodesAtATime);
     const NodesOfRanks nodes(ranks, steep.data() + begin, count);
-    std::vector<WholeDepth> depths(nodes.Count());
+    std::vector<std::int64_t> depths(nodes.Count()); // sums of many ranks
     ParallelFor(Index(depths.size()), 64,
       [&](Index i)
       {
