@@ -41,14 +41,24 @@ constexpr double Border = 1e-6;
 struct WholeData
 {
   vtkBoundingBox box;
-  std::array<double, 3> cell{}; ///< median extents of cells
+  std::int64_t cells = 0;           ///< on the finest level
+  std::array<double, 3> cell{};     ///< median extents of cells
+  std::array<double, 3> thinnest{}; ///< a twentieth of the cells of a rectilinear grid are thinner
 };
 
-double MedianOf(std::vector<double>& values)
+// Returns the value that this share of all values is below.
+double QuantileOf(std::vector<double>& values, double share)
 {
-  const auto middle = values.begin() + std::ptrdiff_t(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
+  const auto at = values.begin() + std::ptrdiff_t(share * double(values.size()));
+  std::nth_element(values.begin(), at, values.end());
+  return *at;
+}
+
+// Whether all data of all ranks are rectilinear grids.
+bool AreRectilinear(const Communicator& ranks, const std::vector<Leaf>& leaves)
+{
+  return !ranks.AnyOf(std::any_of(leaves.begin(), leaves.end(),
+    [](const Leaf& leaf) { return leaf->GetDataObjectType() != VTK_RECTILINEAR_GRID; }));
 }
 
 WholeData Survey(
@@ -73,10 +83,11 @@ WholeData Survey(
       whole.box.AddBounds(&bounds[6 * rank]);
     }
   }
-  std::int64_t cells = CellsOf(finest);
-  ranks.Sum(&cells, 1);
+  whole.cells = CellsOf(finest);
+  ranks.Sum(&whole.cells, 1);
+  const bool isRectilinear = AreRectilinear(ranks, finest);
   const std::vector<std::array<double, 3>> extents =
-    ExtentsOfCells(finest, vtkIdType(std::max<std::int64_t>(cells / enough, 1)));
+    ExtentsOfCells(finest, vtkIdType(std::max<std::int64_t>(whole.cells / enough, 1)));
   const std::vector<std::int64_t> counts = OfEachRank(ranks, std::int64_t(extents.size()));
   std::size_t first = 0;
   std::size_t all = 0;
@@ -91,7 +102,11 @@ WholeData Survey(
     std::transform(extents.begin(), extents.end(), along.begin() + std::ptrdiff_t(first),
       [axis](const std::array<double, 3>& extent) { return extent[axis]; });
     ranks.Gather(along.data(), along.size());
-    whole.cell[axis] = MedianOf(along);
+    whole.cell[axis] = QuantileOf(along, 0.5);
+    constexpr double leastPart = 1e-3; // coordinates may be equal
+    whole.thinnest[axis] = isRectilinear
+      ? std::max(QuantileOf(along, 0.05), leastPart * whole.cell[axis])
+      : whole.cell[axis];
   }
   return whole;
 }
@@ -148,6 +163,33 @@ std::array<int, 3> DimensionsFor(
     times *= 1.02;
   }
   return with(times);
+}
+
+// Returns distances of points between the thinnest and the median cells: the smallest with which a
+// stretched grid becomes an image of a size that is quickly optimised. Thin layers would be lost at
+// the distance of the median.
+std::array<double, 3> DistancesFor(const WholeData& whole)
+{
+  constexpr double quick = 4e6;
+  constexpr double perCell = 4;
+  constexpr int steps = 20;
+  const double most = std::max(quick, perCell * double(whole.cells));
+  std::array<double, 3> distances = whole.thinnest;
+  for (int step = 1; step <= steps; ++step)
+  {
+    const std::array<int, 3> dimensions =
+      DimensionsFor(whole.box, distances, std::numeric_limits<vtkIdType>::max());
+    if (double(dimensions[0]) * dimensions[1] * dimensions[2] <= most)
+    {
+      break;
+    }
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      distances[axis] = whole.thinnest[axis] *
+        std::pow(whole.cell[axis] / whole.thinnest[axis], double(step) / steps);
+    }
+  }
+  return distances;
 }
 
 std::string TextOf(const std::array<int, 3>& dimensions)
@@ -371,14 +413,14 @@ SampledData SampleData(vtkDataObject* data, const DataSampling& sampling, const 
                       << " without cells that have a volume (there is nothing inside to be shown). "
                          "Give data with cells of three dimensions.");
   const std::array<int, 3> finest =
-    DimensionsFor(whole.box, whole.cell, std::numeric_limits<vtkIdType>::max());
+    DimensionsFor(whole.box, whole.thinnest, std::numeric_limits<vtkIdType>::max());
   const Catalog catalog = Wanted({ CatalogOf(ranks, leaves, vtkDataObject::POINT),
                                    CatalogOf(ranks, leaves, vtkDataObject::CELL) },
     sampling);
   const int copies = sampling.isWholeOnAll ? ranks.Size() : 1;
   const vtkIdType most =
     sampling.mostPoints > 0 ? sampling.mostPoints : PointsInMemory(ranks, catalog, copies);
-  std::array<int, 3> dimensions = DimensionsFor(whole.box, whole.cell, most);
+  std::array<int, 3> dimensions = DimensionsFor(whole.box, DistancesFor(whole), most);
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
     const int given = sampling.dimensions[axis];

@@ -53,7 +53,9 @@ struct SampledData
  *
  * Dimensions that are not given are such that the image is as fine as the data: the distance of
  * points along an axis is the median of the cells' extents along it, on the finest level of an
- * AMR; or larger, if the image would have too many points.
+ * AMR; or larger, if the image would have too many points. Rectilinear grids are sampled as finely
+ * as their thinnest layers (a twentieth may be thinner), unless that makes more than four million
+ * points and four per cell.
  *
  * Ranks, each of which has some of the data, get pieces of the image; points that several have are
  * sampled by the first. Collective.

@@ -26,6 +26,20 @@ for axis, name in enumerate("XYZ"):
     getattr(output.VTKObject, "Set" + name + "Coordinates")(along)
 output.VTKObject.GetPointData().ShallowCopy(image.GetPointData())
 """
+STRETCHED = """
+import numpy as np
+from vtkmodules.util.numpy_support import numpy_to_vtk
+x, y = np.linspace(-1, 1, 24), np.linspace(-0.8, 0.8, 20)
+z = np.expm1(np.linspace(0, np.log(100), 30)) / 99  # thicknesses from 0.0017 to 0.15
+output.VTKObject.SetDimensions(24, 20, 30)
+for axis, values in zip("XYZ", (x, y, z)):
+    getattr(output.VTKObject, "Set" + axis + "Coordinates")(numpy_to_vtk(values, deep=1))
+k, j, i = np.meshgrid(z, y, x, indexing="ij")
+thin = np.exp(-k / 0.02) * (0.75 + 0.25 * np.sin(5 * i) * np.cos(4 * j))
+ball = np.exp(-(i**2 + j**2) / 0.1 - (k - 0.15)**2 / 0.004)
+output.PointData.append(np.maximum(0.6 * thin, ball).ravel(), "Scalars")
+output.PointData.append(ball.ravel(), "Importance")
+"""
 EXTENT = "from paraview.util import SetOutputWholeExtent\nSetOutputWholeExtent(self, [0, {0}, 0, {0}, 0, {0}])"
 
 
@@ -51,6 +65,21 @@ class TestAnyData(displays.SampledDisplayTest):
             "images in blocks": two_blocks(image),
             "meshes in blocks": simple.GroupDatasets(
                 Input=[simple.AppendDatasets(Input=[image]), simple.Tetrahedralize(Input=image)])}, image)
+
+    def test_thin_layers_of_a_stretched_grid_are_not_lost(self):
+        stretched = simple.ProgrammableSource(
+            OutputDataSetType="vtkRectilinearGrid", Script=STRETCHED,
+            ScriptRequestInformation=EXTENT.replace("{0}", "{}").format(23, 19, 29))
+        fine = simple.ResampleToImage(
+            Input=stretched, UseInputBounds=0, SamplingBounds=[-1, 1, -0.8, 0.8, 0, 1],
+            SamplingDimensions=[24, 20, 1201])
+        expected, _ = self.shown(fine)
+        display, _ = self.shown(stretched)
+        self.assertEqual(display.Messages, "")
+        self.assertIn(" x ", display.SampledAt)
+        # As fine as a twentieth of the layers, whose thinnest are a third of those of the image.
+        self.assertAlmostEqual(display.VisibilityScore / expected.VisibilityScore, 1, delta=0.003)
+        self.assertAlmostEqual(display.VisibleFraction / expected.VisibleFraction, 1, delta=0.003)
 
     def test_arrays_of_cells(self):
         image = simple.OcclusionPhantom(Resolution=RESOLUTION)
