@@ -166,12 +166,18 @@ void Cover(const glm::dmat4& dataToClip, const Grid& grid, ViewGeometry& geometr
   Vec3 low(1e300);
   Vec3 high(-1e300);
   bool behind = false;
+  bool allBehind = true;
   for (const Vec3& corner : CornersOf(grid))
   {
     const glm::dvec4 clip = dataToClip * glm::dvec4(corner, 1.0);
     behind |= !(clip.w > 0);
+    allBehind &= clip.w <= 0;
     low = glm::min(low, Vec3(clip) / clip.w);
     high = glm::max(high, Vec3(clip) / clip.w);
+  }
+  if (allBehind)
+  {
+    return;
   }
   if (behind)
   {
@@ -246,9 +252,12 @@ ViewGeometry GeometryOf(vtkRenderer* renderer, vtkVolume* volume, const Grid& gr
   const glm::dmat4 worldToData = Inverse(dataToWorld, "volume");
   const glm::dmat4 dataToView = ToMatrix(camera->GetModelViewTransformMatrix()) * dataToWorld;
   const glm::dmat4 dataToClip = ProjectionOf(renderer, false) * dataToView;
-  geometry.clipToData = Inverse(dataToClip, "camera");
   Cover(dataToClip, grid, geometry);
-
+  if (!geometry.IsVisible())
+  {
+    return geometry; // with everything behind the camera, ParaView's clipping range has no depth
+  }
+  geometry.clipToData = Inverse(dataToClip, "camera");
   const glm::dmat4 projection = ProjectionOf(renderer, true);
   geometry.camera = CameraOfMatrix(Inverse(projection * dataToView, "camera"),
     IsParallel(projection), grid, WholeViewport(renderer));

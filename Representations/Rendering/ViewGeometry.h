@@ -51,7 +51,8 @@ struct ViewGeometry
   }
 };
 
-/// Throws if the matrix of the prop or of the camera is singular.
+/// Throws if the matrix of the prop or of the camera is singular. Of a box out of view it returns
+/// no more than that.
 ViewGeometry GeometryOf(vtkRenderer* renderer, vtkVolume* volume, const Grid& grid);
 
 /// The rectangle of a picture whose pixels may be larger than the view's.

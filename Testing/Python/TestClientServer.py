@@ -271,6 +271,9 @@ class TestTwoServerProcesses(ServerTest):
         corner = picture[-60:, :150] if picture[0, 0, 0] == background[0] else picture[:60, :150]
         self.assertGreater(np.abs(corner - background).max(), 100)
 
+    def test_a_volume_behind_the_camera_is_no_error(self):
+        self.assertNotIn("determinant", self.output)
+
     def test_what_they_cannot_do_together_is_said_once(self):
         there = self.there["by_another_method"]
 
