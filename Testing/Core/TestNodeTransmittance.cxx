@@ -191,7 +191,7 @@ TEST(NodeRays, FindSideBySideWhatTheyFindAlone)
     scene.ForEachNode(
       [&](std::size_t node, int i, int, int) { steep[node] = i % 2 == 0 ? 1.0f : 0.0f; });
     for (const Vec3& from :
-      { Vec3(-9, 30, 5), Vec3(3.2, 9.1, 4.4), Vec3(8.0), Vec3(1e6, 2e5, -3e5) })
+      { Vec3(-9, 30, 5), Vec3(-9, 30, 24), Vec3(3.2, 9.1, 4.4), Vec3(8.0), Vec3(1e6, 2e5, -3e5) })
     {
       RaySource source;
       source.origin = from;

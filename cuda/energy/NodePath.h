@@ -106,7 +106,8 @@ struct NodePath
       }
       this->Cross(first);
       this->at = next;
-      goesOn = And(next < this->end, depth < darkWholeDepth);
+      // Where a path has ended, its faces and cells mean nothing any more.
+      goesOn = And(goesOn, And(next < this->end, depth < darkWholeDepth));
     }
     return depth;
   }

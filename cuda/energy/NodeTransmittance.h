@@ -127,7 +127,8 @@ public:
       path.node[axis] = static_cast<float>(node[axis]);
       path.way[axis] = static_cast<float>(way[axis]);
       path.slowness[axis] = 1.0f / path.way[axis];
-      path.onward[axis] = path.way[axis] > 0.0f ? 1 : path.way[axis] < 0.0f ? -1 : 0;
+      const bool moves = Magnitude(path.slowness[axis]) < HUGE_VALF;
+      path.onward[axis] = !moves ? 0 : path.way[axis] > 0.0f ? 1 : -1;
       path.cell[axis] = glm::min(node[axis], this->LastCell[axis]);
       path.face[axis] = HUGE_VALF;
     }
