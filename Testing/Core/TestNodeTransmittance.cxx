@@ -217,7 +217,7 @@ TEST(NodeRays, AreExactInLongImagesAndFromFarAway)
   BoxScene scene(Int3(2000, 3, 4), Vec3(0.0), Vec3(1.0));
   scene.Fill(Everywhere(0.002), Everywhere(0.5));
   const FieldWithin extinction{ scene.extinction.data(), NodesWithin::Whole(scene.grid) };
-  for (const double distance : { 3e3, 1e6, 1e9 })
+  for (const double distance : { 3e3, 1e6, 1e9, 1e45 })
   {
     RaySource source;
     source.origin = distance * Vec3(1, 0.0004, 0.0003);

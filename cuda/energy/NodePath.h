@@ -65,7 +65,7 @@ struct NodePath
   using Whole = decltype(Truncate(Number()));
 
   Number node[3];     ///< [index]
-  Number way[3];      ///< to a point source, or against the direction of a parallel one [index]
+  Number way[3];      ///< towards the source, a cell along the axis that it follows most [index]
   Number slowness[3]; ///< 1 / way
   Number length;      ///< of `way` [length]
   Number end;         ///< t at which it ends

@@ -119,7 +119,10 @@ public:
   /// their first nodes.
   LIMPID_HD NodePath<float> PathFrom(const Int3& node, const NodesWithin& cells) const
   {
-    const Vec3 way = this->Parallel ? -this->Origin : this->Origin - Vec3(node);
+    const Vec3 whole = this->Parallel ? -this->Origin : this->Origin - Vec3(node);
+    const Vec3 most = glm::abs(whole);
+    const double cellsAway = glm::max(glm::max(most.x, most.y), most.z);
+    const Vec3 way = whole / (cellsAway > 0 ? cellsAway : 1.0);
     NodePath<float> path;
     path.length = static_cast<float>(glm::length(way * this->Spacing));
     for (int axis = 0; axis < 3; ++axis)
@@ -132,7 +135,7 @@ public:
       path.cell[axis] = glm::min(node[axis], this->LastCell[axis]);
       path.face[axis] = HUGE_VALF;
     }
-    Enter(path, cells, this->Parallel ? HUGE_VALF : 1.0f);
+    Enter(path, cells, this->Parallel ? HUGE_VALF : static_cast<float>(glm::min(cellsAway, 1e30)));
     return path;
   }
 
