@@ -209,6 +209,21 @@ class TestMasks(unittest.TestCase):
 
         np.testing.assert_array_equal(one.base_extinction, other.base_extinction)
 
+    def test_the_default_ramp_takes_all_types(self):
+        values = np.round(100 * phantom.scalars())
+        expected = scene_of(values, importance=phantom.scalars()).base_extinction
+        for letter in np.typecodes["AllInteger"] + "efd":
+            with self.subTest(np.dtype(letter).name):
+                scene = scene_of(values.astype(letter), importance=phantom.scalars())
+
+                np.testing.assert_array_equal(scene.base_extinction, expected)
+
+        mask = values > 60
+        floats, integers = (scene_of(np.ma.array(values.astype(letter), mask=mask), importance=phantom.scalars())
+                            for letter in "dh")
+        np.testing.assert_array_equal(integers.base_extinction, floats.base_extinction)
+        self.assertGreater(floats.base_extinction.max(), 0)
+
     def test_masked_points_are_not_drawn(self):
         values = np.ma.array(phantom.scalars(), mask=True)
         picture = limpid.render(values, color_function=phantom.COLORS, spacing=SPACING,

@@ -102,8 +102,10 @@ def ramp_of(scalars: Array, mask: Mask | None, unit_distance: float) -> Extincti
     mask: where there is no scalar; None: nowhere.
     """
     finite = np.isfinite(scalars) if mask is None else np.isfinite(scalars) & ~mask
-    low = float(scalars.min(where=finite, initial=np.inf))
-    high = float(scalars.max(where=finite, initial=-np.inf))
+    # Integers have no infinity to begin with.
+    most, least = (np.inf, -np.inf) if scalars.dtype.kind == "f" else (scalars.max(), scalars.min())
+    low = float(scalars.min(where=finite, initial=most))
+    high = float(scalars.max(where=finite, initial=least))
     nodes = [[low, 0.0], [high, 1.0]] if high > low else [[0.0, 0.0]]
     return ExtinctionOfOpacity(PiecewiseLinear("opacity_function", nodes), unit_distance)
 
