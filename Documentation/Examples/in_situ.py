@@ -20,6 +20,8 @@ import os
 from paraview import catalyst, simple
 from paraview.modules.vtkRemotingCore import vtkProcessModule
 
+if "LIMPID_PLUGIN" not in os.environ:
+    raise RuntimeError("LIMPID_PLUGIN is not set (the pipeline draws with the plugin). Set it to the file Limpid.so.")
 simple.LoadPlugin(os.environ["LIMPID_PLUGIN"], remote=False, ns=globals())
 COLOR = os.environ["LIMPID_COLOR"]
 IMPORTANCE = os.environ.get("LIMPID_IMPORTANCE", "(Color Array)")
